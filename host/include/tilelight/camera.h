@@ -1,0 +1,56 @@
+/* The camera of a frame: where it stands and which rays it sees.
+ *
+ * View space is right-handed: +x right, +y up, looking along -z; `depth` is -z, positive in front.
+ * Pixel (0, 0) is the top left, its centre is (0.5, 0.5). */
+#ifndef TL_CAMERA_H
+#define TL_CAMERA_H
+
+#include "error.h"
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { TL_MAX_EXTENT = 16384 }; /* px per side, of anything */
+
+typedef enum tl_projection { TL_PERSPECTIVE, TL_ORTHOGRAPHIC } tl_projection;
+
+typedef struct tl_camera {
+    tl_projection projection;
+    uint32_t width, height; /* px, 1 to TL_MAX_EXTENT */
+    /* Edges of the image. Perspective: x/depth and y/depth (tangents, signed). Orthographic: x
+     * and y in m. left < right, bottom < top; off-centre is allowed. */
+    float left, right, bottom, top;
+    float near, far; /* m; 0 < near < far, far may be INFINITY. Orthographic: near may be <= 0 */
+    /* view = view_from_world * (x, y, z, 1): a rotation and a translation in m, row-major. */
+    float view_from_world[3][4];
+} tl_camera;
+
+/* Fails with TL_ERR_ARGUMENT, saying which field is outside the ranges above, for a value that is
+ * not finite, and for a view_from_world whose rows are not orthonormal to 1e-3. */
+tl_status tl_camera_check(const tl_camera *camera, tl_error *err);
+
+/* World to view and back; computed in double from the camera's floats. Cannot fail. */
+void tl_camera_view_point(const tl_camera *camera, const double world[3], double view[3]);
+void tl_camera_view_direction(const tl_camera *camera, const double world[3], double view[3]);
+void tl_camera_world_point(const tl_camera *camera, const double view[3], double world[3]);
+void tl_camera_world_direction(const tl_camera *camera, const double view[3], double world[3]);
+
+/* A perspective camera at `eye` that looks at `target` with `up` above it. vertical_fov is the
+ * full angle in radians, in (0, pi). The caller has checked that the three points span a plane. */
+tl_camera tl_camera_look_at(const double eye[3],
+                            const double target[3],
+                            const double up[3],
+                            double vertical_fov,
+                            uint32_t width,
+                            uint32_t height,
+                            double near,
+                            double far);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,69 @@
+/* Pictures: linear radiance in memory; OpenEXR and PNG as files. */
+#ifndef TL_IMAGE_H
+#define TL_IMAGE_H
+
+#include "error.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Three float planes R, G, B, padded like a G-buffer's. */
+typedef struct tl_image {
+    uint32_t width, height; /* px */
+    uint32_t pitch, rows;   /* multiples of TL_PADDING, at least width and height */
+    float *planes;          /* [3][rows][pitch], aligned to 4096 bytes; linear Rec. 709 */
+} tl_image;
+
+/* All black. The caller releases *out with tl_image_destroy. Fails with TL_ERR_ARGUMENT for an
+ * extent outside 1 to TL_MAX_EXTENT, or TL_ERR_MEMORY. */
+tl_status tl_image_create(uint32_t width, uint32_t height, tl_image **out, tl_error *err);
+
+/* Accepts NULL. */
+void tl_image_destroy(tl_image *image);
+
+/* Plane 0, 1 or 2: [rows][pitch], owned by the image. */
+float *tl_image_plane(const tl_image *image, unsigned channel);
+
+/* Tone curves: from exposed linear radiance to display-linear [0, 1], per channel.
+ * X(name, word on the command line, source) */
+#define TL_TONE_CURVES(X)                                                                      \
+    X(TL_TONE_ACES, "aces", "Narkowicz 2015, fit of the ACES reference transform")            \
+    X(TL_TONE_REINHARD, "reinhard", "Reinhard et al. 2002, equation 3: x / (1 + x)")          \
+    X(TL_TONE_NONE, "none", "cut at 1")
+
+typedef enum tl_tone {
+#define TL_TONE_NAME(name, word, source) name,
+    TL_TONE_CURVES(TL_TONE_NAME)
+#undef TL_TONE_NAME
+        TL_TONE_COUNT
+} tl_tone;
+
+/* The exposure in stops that brings the picture's log-average luminance to 0.18. Black pixels are
+ * left out; 0 for a black picture. */
+float tl_image_auto_exposure(const tl_image *image);
+
+/* 8-bit RGB, no alpha: radiance times 2^exposure, tone curve, sRGB (IEC 61966-2-1), rounded to
+ * nearest. rgb is [height][width][3]. On all threads. Cannot fail. */
+void tl_image_to_srgb8(const tl_image *image, float exposure, tl_tone tone, uint8_t *rgb);
+
+/* Atomic writers, as tl_gbuffer_write. OpenEXR: channels R, G, B, linear; half is zip-compressed
+ * at a low level, float too. Fail with TL_ERR_WRITE or TL_ERR_MEMORY. "-" writes a PNG to standard
+ * output. */
+tl_status tl_image_write_exr(const char *path, const tl_image *image, int half, tl_error *err);
+tl_status tl_png_write(
+    const char *path, const uint8_t *rgb, uint32_t width, uint32_t height, tl_error *err);
+
+/* Reads a picture for comparison: the R, G, B of an OpenEXR file, or an 8- or 16-bit PNG as values
+ * in [0, 1] without decoding sRGB (*is_png says which; may be NULL). Sizes are checked first.
+ * Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED or TL_ERR_MEMORY. */
+tl_status tl_image_read(const char *path, tl_image **out, int *is_png, tl_error *err);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

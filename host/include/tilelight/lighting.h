@@ -1,0 +1,119 @@
+/* Lights G-buffers on an OpenCL device: bounds per tile, light lists per tile, shading. */
+#ifndef TL_LIGHTING_H
+#define TL_LIGHTING_H
+
+#include "gbuffer.h"
+#include "image.h"
+#include "lights.h"
+#include "report.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* An opened OpenCL device: one context, one in-order profiling queue. */
+typedef struct tl_device tl_device;
+
+/* selector: NULL or "" (PoCL by name, else any CPU, else any device), "cpu", "gpu", an index into
+ * tl_device_list, or part of a device's or platform's name, letter case ignored. device is released
+ * with tl_device_close. Fails with TL_ERR_NO_DEVICE, saying which devices there are. */
+tl_status tl_device_open(const char *selector, tl_device **out, tl_error *err);
+
+/* Accepts NULL. */
+void tl_device_close(tl_device *device);
+
+typedef struct tl_device_info {
+    char name[128], platform[128], driver[128]; /* as OpenCL reports them */
+    char kind[16];                              /* "cpu", "gpu" or "other" */
+    uint32_t compute_units;
+    uint32_t vector_width; /* the lanes kernels are built with: 16, 8, 4 or 1 */
+    uint64_t memory_size;  /* bytes */
+    int has_double;
+    int is_default; /* what an empty selector opens */
+} tl_device_info;
+
+/* Every device of every platform. The caller frees *out, [*count]. No device is a count of 0, not
+ * a failure. Fails with TL_ERR_MEMORY. */
+tl_status tl_device_list(tl_device_info **out, size_t *count, tl_error *err);
+
+/* What `device` is. */
+tl_device_info tl_device_describe(const tl_device *device);
+
+/* X(name, word on the command line, meaning) */
+#define TL_CULLS(X)                                                                        \
+    X(TL_CULL_DEPTH, "depth", "rectangles, then the box of each tile's surfaces")          \
+    X(TL_CULL_RECT, "rect", "rectangles of the lights' spheres on the screen")             \
+    X(TL_CULL_NONE, "none", "every light on every tile")
+
+typedef enum tl_cull {
+#define TL_CULL_NAME(name, word, meaning) name,
+    TL_CULLS(TL_CULL_NAME)
+#undef TL_CULL_NAME
+        TL_CULL_COUNT
+} tl_cull;
+
+/* X(name, word on the command line, meaning) */
+#define TL_PRECISIONS(X)                                                                   \
+    X(TL_PRECISION_FLOAT, "float", "single precision on the device")                       \
+    X(TL_PRECISION_DOUBLE, "double", "double precision on the device")                     \
+    X(TL_PRECISION_REFERENCE, "reference", "double on the CPU, no tiles, no OpenCL")       \
+    X(TL_PRECISION_TWIN, "twin", "the float kernels' text as C on the CPU, no OpenCL")
+
+typedef enum tl_precision {
+#define TL_PRECISION_NAME(name, word, meaning) name,
+    TL_PRECISIONS(TL_PRECISION_NAME)
+#undef TL_PRECISION_NAME
+        TL_PRECISION_COUNT
+} tl_precision;
+
+typedef struct tl_lighting_options {
+    tl_cull cull;
+    tl_precision precision;
+    uint32_t tile_size;    /* px: 8, 16, 32 or 64 */
+    uint32_t vector_width; /* lanes: 1, 4, 8 or 16; 0: what suits the device */
+    float light_cutoff;    /* a light without a range ends where it gives this (lx); 0: never */
+} tl_lighting_options;
+
+/* depth, float, tile 16, width by device, no cutoff. */
+tl_lighting_options tl_lighting_options_default(void);
+
+/* What a frame came to. */
+typedef struct tl_lighting_counts {
+    uint32_t tile_count, global_light_count, ranged_light_count;
+    uint64_t list_length; /* (tile, light) pairs of all lists; global lights are not listed */
+    uint64_t pair_count;  /* (pixel, light) pairs that the lists stand for, padding included */
+    uint32_t left_out_count; /* lights of types that lighting does not know yet */
+} tl_lighting_counts;
+
+/* Holds programs and buffers from frame to frame. */
+typedef struct tl_lighting tl_lighting;
+
+/* device may be NULL if options->precision needs none, and outlives *out, which the caller
+ * releases with tl_lighting_destroy. Fails with TL_ERR_ARGUMENT or TL_ERR_MEMORY. */
+tl_status tl_lighting_create(tl_device *device,
+                             const tl_lighting_options *options,
+                             tl_lighting **out,
+                             tl_error *err);
+
+/* Accepts NULL. */
+void tl_lighting_destroy(tl_lighting *lighting);
+
+/* Lights one frame that tl_gbuffer_repair has been through. *image has the G-buffer's size and is
+ * written in full. Compiles kernels where the scene needs ones it has not needed before; allocates
+ * only where a frame is larger, or has more lights, than every one before. timings, notices,
+ * counts may be NULL. Fails with TL_ERR_ARGUMENT (sizes differ), TL_ERR_UNSUPPORTED (lists beyond
+ * 2^32 entries), TL_ERR_DEVICE or TL_ERR_MEMORY. */
+tl_status tl_lighting_run(tl_lighting *lighting,
+                          const tl_gbuffer *gbuffer,
+                          const tl_light_set *lights,
+                          tl_image *image,
+                          tl_timings *timings,
+                          const tl_notices *notices,
+                          tl_lighting_counts *counts,
+                          tl_error *err);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,40 @@
+/* From a glTF scene to a G-buffer: the half of tilelight that needs OpenGL (OSMesa) and no
+ * OpenCL. */
+#ifndef TL_CAPTURE_H
+#define TL_CAPTURE_H
+
+#include "tilelight/gbuffer.h"
+#include "tilelight/lights.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct tl_capture_options {
+    uint32_t width, height; /* px; 0: 1280 x 720 */
+    const char *camera;     /* name or index; NULL: the first of the default scene, else framed */
+} tl_capture_options;
+
+/* Loads `path` (.gltf, .glb), renders its default scene into a G-buffer, and collects its lights.
+ * The caller releases *out with tl_gbuffer_destroy and *lights with tl_light_set_clear; *lights
+ * is replaced. timings, notices may be NULL. Pixels have been through no repair.
+ * Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED (an extension the file requires),
+ * TL_ERR_ARGUMENT (size, camera), TL_ERR_MEMORY or TL_ERR_DEVICE (OpenGL), naming the file and
+ * the node, mesh, accessor, image or extension concerned. */
+tl_status tl_capture(const char *path,
+                     const tl_capture_options *options,
+                     tl_gbuffer **out,
+                     tl_light_set *lights,
+                     tl_timings *timings,
+                     const tl_notices *notices,
+                     tl_error *err);
+
+/* The OpenGL that captures, for `tilelight devices`: "llvmpipe (LLVM 15...), OpenGL 4.5 ...".
+ * Fails with TL_ERR_DEVICE. */
+tl_status tl_capture_describe(char *text, size_t size, tl_error *err);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
