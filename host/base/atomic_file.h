@@ -13,8 +13,9 @@ extern "C" {
 #endif
 
 typedef struct tl_atomic_file {
-    char *target;    /* owned */
-    char *temporary; /* owned; what to write to. NULL when there is nothing to commit or abandon */
+    char *target; /* owned */
+    char *
+        temporary; /* owned; what to write to. NULL when there is nothing to commit or abandon */
 } tl_atomic_file;
 
 /* Creates the temporary file, empty. Fails with TL_ERR_WRITE, naming the target and the reason: no

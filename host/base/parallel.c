@@ -36,7 +36,8 @@ static void *take_ranges(void *argument)
         if (begin >= shared->count)
             return NULL;
         const size_t left = shared->count - begin;
-        shared->work(shared->context, begin, begin + (left < shared->range ? left : shared->range));
+        shared->work(shared->context, begin,
+                     begin + (left < shared->range ? left : shared->range));
     }
 }
 

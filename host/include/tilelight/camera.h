@@ -23,7 +23,8 @@ typedef struct tl_camera {
     /* Edges of the image. Perspective: x/depth and y/depth (tangents, signed). Orthographic: x
      * and y in m. left < right, bottom < top; off-centre is allowed. */
     float left, right, bottom, top;
-    float near, far; /* m; 0 < near < far, far may be INFINITY. Orthographic: near may be <= 0 */
+    float near,
+        far; /* m; 0 < near < far, far may be INFINITY. Orthographic: near may be <= 0 */
     /* view = view_from_world * (x, y, z, 1): a rotation and a translation in m, row-major. */
     float view_from_world[3][4];
 } tl_camera;

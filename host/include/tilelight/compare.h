@@ -10,11 +10,11 @@ extern "C" {
 
 /* Differences of channels, a - b; `relative` ones are divided by b's mean. */
 typedef struct tl_difference {
-    double mean_value;   /* of b, over all channels */
+    double mean_value;           /* of b, over all channels */
     double max, mean, rms, p999; /* absolute; p999: 99.9 % of values are at most this far */
     double relative_max, relative_mean, relative_rms, relative_p999; /* 0 / 0 is 0 */
-    double psnr;         /* dB against b's largest value; INFINITY when equal */
-    uint64_t different_count; /* values whose bits differ */
+    double psnr;               /* dB against b's largest value; INFINITY when equal */
+    uint64_t different_count;  /* values whose bits differ */
     uint64_t not_finite_count; /* values NaN or infinite in either; they count as INFINITY */
     uint32_t worst_x, worst_y, worst_channel;
     float worst_a, worst_b;

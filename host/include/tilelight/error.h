@@ -18,16 +18,16 @@ extern "C" {
 #endif
 
 /* X(name, exit status of the command, meaning) */
-#define TL_STATUSES(X)                                                                   \
-    X(TL_OK, 0, "done")                                                                  \
-    X(TL_ERR_DIFFERENT, 1, "a comparison exceeded its tolerance, or some item failed")   \
-    X(TL_ERR_MEMORY, 1, "host memory ran out")                                           \
-    X(TL_ERR_ARGUMENT, 2, "an option or argument is outside what the call accepts")      \
-    X(TL_ERR_READ, 3, "a file could not be opened or read")                              \
-    X(TL_ERR_FORMAT, 3, "a file was read but is not what it must be")                    \
-    X(TL_ERR_UNSUPPORTED, 3, "a file is valid but needs something this build lacks")     \
-    X(TL_ERR_NO_DEVICE, 4, "no OpenCL device fits")                                      \
-    X(TL_ERR_DEVICE, 4, "OpenCL or OpenGL reported an error")                            \
+#define TL_STATUSES(X)                                                                 \
+    X(TL_OK, 0, "done")                                                                \
+    X(TL_ERR_DIFFERENT, 1, "a comparison exceeded its tolerance, or some item failed") \
+    X(TL_ERR_MEMORY, 1, "host memory ran out")                                         \
+    X(TL_ERR_ARGUMENT, 2, "an option or argument is outside what the call accepts")    \
+    X(TL_ERR_READ, 3, "a file could not be opened or read")                            \
+    X(TL_ERR_FORMAT, 3, "a file was read but is not what it must be")                  \
+    X(TL_ERR_UNSUPPORTED, 3, "a file is valid but needs something this build lacks")   \
+    X(TL_ERR_NO_DEVICE, 4, "no OpenCL device fits")                                    \
+    X(TL_ERR_DEVICE, 4, "OpenCL or OpenGL reported an error")                          \
     X(TL_ERR_WRITE, 5, "output could not be written")
 
 typedef enum tl_status {

@@ -24,7 +24,7 @@ typedef struct tl_gbuffer {
     uint32_t present; /* bit p: plane p is stored; a union of TL_GROUP_... with TL_GROUP_BASE */
     uint32_t pitch;   /* floats from row to row: camera.width up to a multiple of TL_PADDING */
     uint32_t rows;    /* camera.height up to a multiple of TL_PADDING */
-    float *planes;    /* [popcount(present)][rows][pitch], aligned to 4096 bytes; padding is sky */
+    float *planes; /* [popcount(present)][rows][pitch], aligned to 4096 bytes; padding is sky */
 } tl_gbuffer;
 
 /* Every pixel is sky. The caller releases *out with tl_gbuffer_destroy. Fails with
@@ -43,9 +43,9 @@ float *tl_gbuffer_plane(const tl_gbuffer *gbuffer, enum tl_plane plane);
 
 /* What tl_gbuffer_repair found, in pixels. */
 typedef struct tl_repairs {
-    uint64_t depth;   /* NaN, negative infinity, or <= 0 under a perspective camera: made sky */
-    uint64_t normal;  /* not finite, or of no length: made 0, which no light reaches */
-    uint64_t value;   /* another plane not finite, negative, or above its range: made 0 or cut */
+    uint64_t depth;  /* NaN, negative infinity, or <= 0 under a perspective camera: made sky */
+    uint64_t normal; /* not finite, or of no length: made 0, which no light reaches */
+    uint64_t value;  /* another plane not finite, negative, or above its range: made 0 or cut */
 } tl_repairs;
 
 /* Makes every pixel safe to light, and sky pixels hold the values of `TL_PLANES` for nothing hit.

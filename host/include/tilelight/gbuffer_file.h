@@ -24,11 +24,8 @@ tl_status tl_gbuffer_write(const char *path,
  * says whether the file brought any. Pixels are as the file has them: see tl_gbuffer_repair.
  * Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED or TL_ERR_MEMORY, naming the file and
  * the channel or attribute. */
-tl_status tl_gbuffer_read(const char *path,
-                          tl_gbuffer **out,
-                          tl_light_set *lights,
-                          bool *has_lights,
-                          tl_error *err);
+tl_status tl_gbuffer_read(
+    const char *path, tl_gbuffer **out, tl_light_set *lights, bool *has_lights, tl_error *err);
 
 #ifdef __cplusplus
 }

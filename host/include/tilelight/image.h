@@ -30,9 +30,9 @@ float *tl_image_plane(const tl_image *image, unsigned channel);
 
 /* Tone curves: from exposed linear radiance to display-linear [0, 1], per channel.
  * X(name, word on the command line, source) */
-#define TL_TONE_CURVES(X)                                                                      \
-    X(TL_TONE_ACES, "aces", "Narkowicz 2015, fit of the ACES reference transform")            \
-    X(TL_TONE_REINHARD, "reinhard", "Reinhard et al. 2002, equation 3: x / (1 + x)")          \
+#define TL_TONE_CURVES(X)                                                            \
+    X(TL_TONE_ACES, "aces", "Narkowicz 2015, fit of the ACES reference transform")   \
+    X(TL_TONE_REINHARD, "reinhard", "Reinhard et al. 2002, equation 3: x / (1 + x)") \
     X(TL_TONE_NONE, "none", "cut at 1")
 
 typedef enum tl_tone {

@@ -40,9 +40,9 @@ tl_status tl_device_list(tl_device_info **out, size_t *count, tl_error *err);
 tl_device_info tl_device_describe(const tl_device *device);
 
 /* X(name, word on the command line, meaning) */
-#define TL_CULLS(X)                                                                        \
-    X(TL_CULL_DEPTH, "depth", "rectangles, then the box of each tile's surfaces")          \
-    X(TL_CULL_RECT, "rect", "rectangles of the lights' spheres on the screen")             \
+#define TL_CULLS(X)                                                               \
+    X(TL_CULL_DEPTH, "depth", "rectangles, then the box of each tile's surfaces") \
+    X(TL_CULL_RECT, "rect", "rectangles of the lights' spheres on the screen")    \
     X(TL_CULL_NONE, "none", "every light on every tile")
 
 typedef enum tl_cull {
@@ -53,10 +53,10 @@ typedef enum tl_cull {
 } tl_cull;
 
 /* X(name, word on the command line, meaning) */
-#define TL_PRECISIONS(X)                                                                   \
-    X(TL_PRECISION_FLOAT, "float", "single precision on the device")                       \
-    X(TL_PRECISION_DOUBLE, "double", "double precision on the device")                     \
-    X(TL_PRECISION_REFERENCE, "reference", "double on the CPU, no tiles, no OpenCL")       \
+#define TL_PRECISIONS(X)                                                             \
+    X(TL_PRECISION_FLOAT, "float", "single precision on the device")                 \
+    X(TL_PRECISION_DOUBLE, "double", "double precision on the device")               \
+    X(TL_PRECISION_REFERENCE, "reference", "double on the CPU, no tiles, no OpenCL") \
     X(TL_PRECISION_TWIN, "twin", "the float kernels' text as C on the CPU, no OpenCL")
 
 typedef enum tl_precision {

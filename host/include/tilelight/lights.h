@@ -13,9 +13,9 @@ extern "C" {
 #endif
 
 /* X(name, word in files) */
-#define TL_LIGHT_TYPES(X)                       \
-    X(TL_LIGHT_POINT, "point")                  \
-    X(TL_LIGHT_DIRECTIONAL, "directional")      \
+#define TL_LIGHT_TYPES(X)                  \
+    X(TL_LIGHT_POINT, "point")             \
+    X(TL_LIGHT_DIRECTIONAL, "directional") \
     X(TL_LIGHT_SPOT, "spot")
 
 typedef enum tl_light_type {
@@ -26,8 +26,8 @@ typedef enum tl_light_type {
 } tl_light_type;
 
 /* X(name, word in files) kernels/falloff.h has the formulas. */
-#define TL_FALLOFFS(X)                               \
-    X(TL_FALLOFF_INVERSE_SQUARE, "inverse-square")   \
+#define TL_FALLOFFS(X)                             \
+    X(TL_FALLOFF_INVERSE_SQUARE, "inverse-square") \
     X(TL_FALLOFF_LINEAR, "linear")
 
 typedef enum tl_falloff {
@@ -39,15 +39,15 @@ typedef enum tl_falloff {
 
 typedef struct tl_light {
     tl_light_type type;
-    tl_falloff falloff;            /* point and spot */
-    float position[3];             /* m; point and spot */
-    float direction[3];            /* unit, along the light's rays; directional and spot */
-    float color[3];                /* linear Rec. 709, >= 0 */
-    float intensity;               /* cd for point and spot, lx for directional, >= 0 */
-    float range;                   /* m, > 0; INFINITY reaches everything. Linear needs a finite one */
-    float diffuse, specular;       /* scales of the two lobes, >= 0 */
-    float inner_cone, outer_cone;  /* half-angles in radians, 0 <= inner <= outer <= pi; spot */
-    char name[64];                 /* for messages; may be empty */
+    tl_falloff falloff; /* point and spot */
+    float position[3];  /* m; point and spot */
+    float direction[3]; /* unit, along the light's rays; directional and spot */
+    float color[3];     /* linear Rec. 709, >= 0 */
+    float intensity;    /* cd for point and spot, lx for directional, >= 0 */
+    float range;        /* m, > 0; INFINITY reaches everything. Linear needs a finite one */
+    float diffuse, specular;      /* scales of the two lobes, >= 0 */
+    float inner_cone, outer_cone; /* half-angles in radians, 0 <= inner <= outer <= pi; spot */
+    char name[64];                /* for messages; may be empty */
 } tl_light;
 
 /* lights is owned by the set; release with tl_light_set_clear. All zero is a valid empty set. */
@@ -90,7 +90,6 @@ tl_status tl_lights_format(const tl_light_set *set, char **out, tl_error *err);
 
 /* Writes tl_lights_format's text atomically; "-" is standard output. Fails with TL_ERR_WRITE. */
 tl_status tl_lights_write(const char *path, const tl_light_set *set, tl_error *err);
-
 
 #ifdef __cplusplus
 }

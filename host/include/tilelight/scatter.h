@@ -12,8 +12,8 @@ extern "C" {
 typedef struct tl_scatter_options {
     uint32_t count;
     uint32_t seed;
-    float overlap;  /* lights that reach a visible pixel on average; sets the range */
-    float range;    /* m; 0: from overlap */
+    float overlap; /* lights that reach a visible pixel on average; sets the range */
+    float range;   /* m; 0: from overlap */
     tl_falloff falloff;
     float intensity; /* 0: so that overlapping lights add up to about 1 */
 } tl_scatter_options;
