@@ -7,23 +7,23 @@
 #ifndef TL_PLANES_H
 #define TL_PLANES_H
 
-#define TL_PLANES(X)                                                                          \
-    X(TL_DEPTH, "Z", INFINITY, "m along the view axis, positive; +infinity is sky")           \
-    X(TL_NORMAL_X, "N.X", 0.0f, "world space, towards the viewer's side of the surface")      \
-    X(TL_NORMAL_Y, "N.Y", 0.0f, "world space")                                                \
-    X(TL_NORMAL_Z, "N.Z", 0.0f, "world space")                                                \
+#define TL_PLANES(X)                                                                           \
+    X(TL_DEPTH, "Z", INFINITY, "m along the view axis, positive; +infinity is sky")            \
+    X(TL_NORMAL_X, "N.X", 0.0f, "world space, towards the viewer's side of the surface")       \
+    X(TL_NORMAL_Y, "N.Y", 0.0f, "world space")                                                 \
+    X(TL_NORMAL_Z, "N.Z", 0.0f, "world space")                                                 \
     X(TL_ALBEDO_R, "albedo.R", 0.0f, "diffuse colour, or base colour where metallic is there") \
-    X(TL_ALBEDO_G, "albedo.G", 0.0f, "linear Rec. 709, 0 to 1")                               \
-    X(TL_ALBEDO_B, "albedo.B", 0.0f, "linear Rec. 709, 0 to 1")                               \
-    X(TL_SPECULAR_R, "specular.R", 0.0f, "specular colour of a Phong material")               \
-    X(TL_SPECULAR_G, "specular.G", 0.0f, "linear Rec. 709, 0 to 1")                           \
-    X(TL_SPECULAR_B, "specular.B", 0.0f, "linear Rec. 709, 0 to 1")                           \
-    X(TL_SHININESS, "shininess", 0.0f, "Blinn-Phong exponent, 0 to 10000")                    \
-    X(TL_METALLIC, "metallic", 0.0f, "0 to 1")                                                \
-    X(TL_ROUGHNESS, "roughness", 0.0f, "perceptual, 0 to 1: alpha is its square")             \
-    X(TL_OCCLUSION, "ao", 1.0f, "share of the ambient light that arrives, 0 to 1")            \
-    X(TL_EMISSIVE_R, "emissive.R", 0.0f, "radiance the surface sends out by itself")          \
-    X(TL_EMISSIVE_G, "emissive.G", 0.0f, "linear Rec. 709, 0 and above")                      \
+    X(TL_ALBEDO_G, "albedo.G", 0.0f, "linear Rec. 709, 0 to 1")                                \
+    X(TL_ALBEDO_B, "albedo.B", 0.0f, "linear Rec. 709, 0 to 1")                                \
+    X(TL_SPECULAR_R, "specular.R", 0.0f, "specular colour of a Phong material")                \
+    X(TL_SPECULAR_G, "specular.G", 0.0f, "linear Rec. 709, 0 to 1")                            \
+    X(TL_SPECULAR_B, "specular.B", 0.0f, "linear Rec. 709, 0 to 1")                            \
+    X(TL_SHININESS, "shininess", 0.0f, "Blinn-Phong exponent, 0 to 10000")                     \
+    X(TL_METALLIC, "metallic", 0.0f, "0 to 1")                                                 \
+    X(TL_ROUGHNESS, "roughness", 0.0f, "perceptual, 0 to 1: alpha is its square")              \
+    X(TL_OCCLUSION, "ao", 1.0f, "share of the ambient light that arrives, 0 to 1")             \
+    X(TL_EMISSIVE_R, "emissive.R", 0.0f, "radiance the surface sends out by itself")           \
+    X(TL_EMISSIVE_G, "emissive.G", 0.0f, "linear Rec. 709, 0 and above")                       \
     X(TL_EMISSIVE_B, "emissive.B", 0.0f, "linear Rec. 709, 0 and above")
 
 #define TL_PLANE_NAME(name, channel, empty, meaning) name,
@@ -40,7 +40,7 @@ enum tl_plane { TL_PLANES(TL_PLANE_NAME) TL_PLANE_COUNT };
 #define TL_GROUP_EMISSIVE TL_THREE(TL_EMISSIVE_R)
 
 /* How many planes of `present` stand before `plane`. */
-#ifdef __OPENCL_VERSION__
+#ifdef __OPENCL_C_VERSION__
 #    define TL_SLOT(present, plane) popcount((present) & ((1u << (plane)) - 1u))
 #else
 #    define TL_SLOT(present, plane) \

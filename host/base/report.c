@@ -13,22 +13,27 @@ double tl_seconds(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-double tl_timings_end(tl_timings *timings, const char *name, double start)
+void tl_timings_add(tl_timings *timings, const char *name, double ms)
 {
-    const double now = tl_seconds();
     int i = 0;
     if (!timings)
-        return now;
+        return;
     while (i < timings->count && strcmp(timings->stages[i].name, name) != 0)
         i++;
+    if (i == TL_MAX_STAGES)
+        return;
     if (i == timings->count) {
-        if (i == TL_MAX_STAGES)
-            return now;
         timings->stages[i].name = name;
         timings->stages[i].ms = 0.0;
         timings->count++;
     }
-    timings->stages[i].ms += 1e3 * (now - start);
+    timings->stages[i].ms += ms;
+}
+
+double tl_timings_end(tl_timings *timings, const char *name, double start)
+{
+    const double now = tl_seconds();
+    tl_timings_add(timings, name, 1e3 * (now - start));
     return now;
 }
 

@@ -3,6 +3,7 @@
 #include "aligned.h"
 #include "try.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 /* Groups that a frame has whole or not at all. */

@@ -7,18 +7,22 @@
 #include <stdatomic.h>
 #include <string.h>
 
-/* What a value outside [0, most] becomes: not finite or negative is 0, above `most` is most. */
 static const struct {
     const char *channel;
-    float empty, most;
-} rules[TL_PLANE_COUNT] = {
-#define RULE(name, channel, empty, meaning) [name] = {channel, empty, 1.0f},
-    TL_PLANES(RULE)
-#undef RULE
-        [TL_SHININESS] = {"shininess", 0.0f, 10000.0f},
-    [TL_EMISSIVE_R] = {"emissive.R", 0.0f, 3e38f},
-    [TL_EMISSIVE_G] = {"emissive.G", 0.0f, 3e38f},
-    [TL_EMISSIVE_B] = {"emissive.B", 0.0f, 3e38f},
+    float empty;
+} planes[TL_PLANE_COUNT] = {
+#define PLANE(name, channel, empty, meaning) [name] = {channel, empty},
+    TL_PLANES(PLANE)
+#undef PLANE
+};
+
+/* The largest value a plane may have, where it is not 1. Above it a value becomes it; what is not
+ * finite or negative becomes 0. */
+static const float largest[TL_PLANE_COUNT] = {
+    [TL_SHININESS] = 10000.0f,
+    [TL_EMISSIVE_R] = 1e30f,
+    [TL_EMISSIVE_G] = 1e30f,
+    [TL_EMISSIVE_B] = 1e30f,
 };
 
 /* Squares of lengths within this range neither overflow nor vanish in float. */
@@ -68,7 +72,7 @@ static void clear_pixel(scan *s, size_t at)
 {
     for (int p = 0; p < TL_PLANE_COUNT; p++)
         if (s->planes[p])
-            s->planes[p][at] = rules[p].empty;
+            s->planes[p][at] = planes[p].empty;
 }
 
 static unsigned long long repair_values(scan *s, size_t at, uint32_t row, uint32_t column)
@@ -77,10 +81,10 @@ static unsigned long long repair_values(scan *s, size_t at, uint32_t row, uint32
     for (int p = TL_ALBEDO_R; p < TL_PLANE_COUNT; p++) {
         if (!s->planes[p])
             continue;
-        const float v = s->planes[p][at];
-        if (v >= 0.0f && v <= rules[p].most)
+        const float v = s->planes[p][at], most = largest[p] > 0.0f ? largest[p] : 1.0f;
+        if (v >= 0.0f && v <= most)
             continue;
-        s->planes[p][at] = v > rules[p].most && isfinite(v) ? rules[p].most : 0.0f;
+        s->planes[p][at] = v > most && isfinite(v) ? most : 0.0f;
         note(s, row, column, p);
         repaired = 1;
     }
@@ -140,7 +144,8 @@ tl_status tl_gbuffer_repair(
         return tl_fail(err, TL_ERR_FORMAT,
                        "%s: pixel (%llu, %llu), channel %s cannot be lit as it is; without "
                        "--strict it is repaired",
-                       name, first >> 8 & 0xffffffff, first >> 40, rules[first & 0xff].channel);
+                       name, first >> 8 & 0xffffffff, first >> 40,
+                       planes[first & 0xff].channel);
     if (out)
         *out = repairs;
     return TL_OK;

@@ -27,6 +27,9 @@ double tl_seconds(void);
  * is dropped. Returns the time now, so that stages chain. Cannot fail. */
 double tl_timings_end(tl_timings *timings, const char *name, double start);
 
+/* Adds a time that was measured otherwise. Cannot fail. */
+void tl_timings_add(tl_timings *timings, const char *name, double ms);
+
 /* Receives sentences that are no errors: what was assumed, ignored or repaired. */
 typedef struct tl_notices {
     void (*say)(void *context, const char *sentence); /* NULL: silence */

@@ -1,0 +1,202 @@
+#include "prepared.h"
+
+#include "falloff.h"
+
+#include <float.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const uint32_t box_granule = 16; /* the widest vector of tiles */
+
+/* Products of colour, intensity and lobe are cut here, so that sums of many stay finite. */
+static const double brightest = 1e30;
+
+static float finite_square(double x)
+{
+    const double square = x * x;
+    return square < (double)FLT_MAX ? (float)square : FLT_MAX;
+}
+
+static float finite_reciprocal(double x)
+{
+    return x > 1.0 / (double)FLT_MAX ? (float)(1.0 / x) : 0.0f;
+}
+
+static void colour(const tl_light *light, float lobe, float out[3])
+{
+    for (int i = 0; i < 3; i++) {
+        const double c = (double)light->color[i] * (double)light->intensity * (double)lobe;
+        out[i] = (float)(c < brightest ? c : brightest);
+    }
+}
+
+static tl_view_light common(const tl_light *light, tl_u32 falloff)
+{
+    tl_view_light v = {.falloff = falloff};
+    colour(light, light->diffuse, v.diffuse);
+    colour(light, light->specular, v.specular);
+    return v;
+}
+
+static tl_view_light directional(const tl_camera *camera, const tl_light *light)
+{
+    tl_view_light v = common(light, TL_FADE_NONE);
+    double towards[3], view[3], length2 = 0.0;
+    for (int i = 0; i < 3; i++)
+        towards[i] = -(double)light->direction[i];
+    tl_camera_view_direction(camera, towards, view);
+    for (int i = 0; i < 3; i++)
+        length2 += view[i] * view[i];
+    for (int i = 0; i < 3; i++)
+        v.position[i] = (float)(view[i] / sqrt(length2));
+    return v;
+}
+
+/* Where the light gives less than `cutoff` (lx) on a surface that faces it. */
+static double cutoff_range(const tl_light *light, float cutoff)
+{
+    double most = 0.0;
+    for (int i = 0; i < 3; i++)
+        most = light->color[i] > (float)most ? (double)light->color[i] : most;
+    return sqrt(most * (double)light->intensity / (double)cutoff);
+}
+
+static tl_view_light point(const tl_camera *camera, const tl_light *light, float cutoff)
+{
+    const int linear = light->falloff == TL_FALLOFF_LINEAR;
+    tl_view_light v = common(light, linear ? TL_FADE_LINEAR : TL_FADE_INVERSE_SQUARE);
+    double world[3], view[3];
+    for (int i = 0; i < 3; i++)
+        world[i] = (double)light->position[i];
+    tl_camera_view_point(camera, world, view);
+    for (int i = 0; i < 3; i++)
+        v.position[i] = (float)view[i];
+    if (!isinf(light->range)) {
+        const double range = (double)light->range;
+        v.range2 = finite_square(range);
+        v.fade = linear ? finite_reciprocal(range) : finite_reciprocal(range * range);
+    } else if (cutoff > 0.0f) {
+        v.range2 = finite_square(cutoff_range(light, cutoff));
+    }
+    return v;
+}
+
+static int is_global(const tl_light *light, float cutoff)
+{
+    return light->type == TL_LIGHT_DIRECTIONAL || (isinf(light->range) && !(cutoff > 0.0f));
+}
+
+/* Lights in the order of the set, first the global ones, then the others. */
+static void collect(const tl_camera *camera,
+                    const tl_light_set *lights,
+                    float cutoff,
+                    int global,
+                    tl_prepared *prepared)
+{
+    for (size_t i = 0; i < lights->count; i++) {
+        const tl_light *light = &lights->lights[i];
+        if (light->type == TL_LIGHT_SPOT || is_global(light, cutoff) != global)
+            continue;
+        const tl_view_light v = light->type == TL_LIGHT_DIRECTIONAL
+                                    ? directional(camera, light)
+                                    : point(camera, light, cutoff);
+        prepared->needs.falloffs |= 1u << v.falloff;
+        prepared->needs.specular |=
+            v.specular[0] > 0.0f || v.specular[1] > 0.0f || v.specular[2] > 0.0f;
+        prepared->lights[prepared->frame.light_count++] = v;
+    }
+    if (global)
+        prepared->frame.global_count = prepared->frame.light_count;
+}
+
+static void name_left_out(const tl_light_set *lights,
+                          uint32_t left_out,
+                          const tl_notices *notices)
+{
+    char names[512] = "";
+    size_t length = 0;
+    for (size_t i = 0; i < lights->count && length < sizeof names - 80; i++) {
+        const tl_light *light = &lights->lights[i];
+        if (light->type != TL_LIGHT_SPOT)
+            continue;
+        length +=
+            (size_t)snprintf(names + length, sizeof names - length, "%s%s", length ? ", " : "",
+                             light->name[0] ? light->name : "(no name)");
+    }
+    tl_notice(notices, "%u spot light%s left out, for spots are not lit yet: %s%s", left_out,
+              left_out == 1 ? " is" : "s are", names,
+              length >= sizeof names - 80 ? ", ..." : "");
+}
+
+static tl_rays rays_of(const tl_camera *camera)
+{
+    const double dx = ((double)camera->right - (double)camera->left) / camera->width;
+    const double dy = ((double)camera->bottom - (double)camera->top) / camera->height;
+    return (tl_rays){(float)((double)camera->left + 0.5 * dx), (float)dx,
+                     (float)((double)camera->top + 0.5 * dy), (float)dy};
+}
+
+static tl_frame frame_of(const tl_gbuffer *gbuffer,
+                         const tl_light_set *lights,
+                         uint32_t tile_size)
+{
+    const tl_camera *camera = &gbuffer->camera;
+    tl_frame frame = {.rays = rays_of(camera),
+                      .tile_size = tile_size,
+                      .pitch = gbuffer->pitch,
+                      .rows = gbuffer->rows,
+                      .tiles_x = (camera->width + tile_size - 1) / tile_size,
+                      .tiles_y = (camera->height + tile_size - 1) / tile_size};
+    frame.box_pitch = (frame.tiles_x + box_granule - 1) / box_granule * box_granule;
+    memcpy(frame.view_from_world, camera->view_from_world, sizeof frame.view_from_world);
+    memcpy(frame.ambient, lights->ambient, sizeof frame.ambient);
+    memcpy(frame.sky, lights->sky, sizeof frame.sky);
+    return frame;
+}
+
+static tl_status reserve_lights(tl_prepared *prepared, size_t count, tl_error *err)
+{
+    if (count > INT32_MAX)
+        return tl_fail(err, TL_ERR_ARGUMENT, "%zu lights: at most 2^31 are lit", count);
+    if (count <= prepared->capacity)
+        return TL_OK;
+    tl_view_light *grown = realloc(prepared->lights, count * sizeof *grown);
+    if (!grown)
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for %zu lights", count);
+    prepared->lights = grown;
+    prepared->capacity = count;
+    return TL_OK;
+}
+
+tl_status tl_prepare(const tl_gbuffer *gbuffer,
+                     const tl_light_set *lights,
+                     uint32_t tile_size,
+                     int cull_depth,
+                     float light_cutoff,
+                     const tl_notices *notices,
+                     tl_prepared *prepared,
+                     tl_error *err)
+{
+    const tl_status status = reserve_lights(prepared, lights->count, err);
+    if (status != TL_OK)
+        return status;
+    prepared->frame = frame_of(gbuffer, lights, tile_size);
+    prepared->frame.cull_depth = cull_depth ? 1 : 0;
+    prepared->needs = (tl_needs){.present = gbuffer->present,
+                                 .orthographic = gbuffer->camera.projection == TL_ORTHOGRAPHIC};
+    collect(&gbuffer->camera, lights, light_cutoff, 1, prepared);
+    collect(&gbuffer->camera, lights, light_cutoff, 0, prepared);
+    if (!(gbuffer->present & (TL_GROUP_PHONG | TL_GROUP_METAL_ROUGH)))
+        prepared->needs.specular = 0;
+    prepared->left_out_count = (uint32_t)(lights->count - prepared->frame.light_count);
+    if (prepared->left_out_count > 0)
+        name_left_out(lights, prepared->left_out_count, notices);
+    return TL_OK;
+}
+
+void tl_prepared_clear(tl_prepared *prepared)
+{
+    free(prepared->lights);
+    *prepared = (tl_prepared){0};
+}

@@ -1,0 +1,75 @@
+/* The device memory of a frame: made once, grown where a frame is larger than every one before. */
+#ifndef TL_BUFFERS_H
+#define TL_BUFFERS_H
+
+#include "device.h"
+
+/* X(name, shape) */
+#define TL_BUFFERS(X)                                                       \
+    X(TL_BUFFER_BOXES, "[6][tiles_y][box_pitch] scalars")                   \
+    X(TL_BUFFER_DEPTHS, "[tiles_y][2] float")                               \
+    X(TL_BUFFER_LIGHTS, "[light_count] tl_view_light")                      \
+    X(TL_BUFFER_RECTS, "[light_count] tl_tile_rect")                        \
+    X(TL_BUFFER_STARTS, "[tiles_y * tiles_x] uint")                         \
+    X(TL_BUFFER_ENDS, "[tiles_y * tiles_x] uint")                           \
+    X(TL_BUFFER_LIST, "[list_length] uint")                                 \
+    X(TL_BUFFER_PLANES, "[plane_count][rows][pitch] float, the G-buffer's") \
+    X(TL_BUFFER_RADIANCE, "[3][rows][pitch] float, the image's")
+
+typedef enum tl_buffer_name {
+#define TL_BUFFER_NAME(name, shape) name,
+    TL_BUFFERS(TL_BUFFER_NAME)
+#undef TL_BUFFER_NAME
+        TL_BUFFER_COUNT
+} tl_buffer_name;
+
+typedef struct tl_buffers {
+    struct {
+        cl_mem memory;
+        size_t size; /* bytes */
+        void *host;  /* the caller's memory that the buffer is, or NULL: the device's own */
+    } of[TL_BUFFER_COUNT];
+} tl_buffers;
+
+/* At least `size` bytes, at least four, of device memory; loses its contents if it grows. */
+tl_status tl_buffers_reserve(tl_buffers *buffers,
+                             const tl_device *device,
+                             tl_buffer_name name,
+                             size_t size,
+                             tl_error *err);
+
+/* Makes the buffer be `host` (page-aligned, `size` bytes), which the caller keeps until the next
+ * call or tl_buffers_release. Only for devices that share memory. */
+tl_status tl_buffers_share(tl_buffers *buffers,
+                           const tl_device *device,
+                           tl_buffer_name name,
+                           void *host,
+                           size_t size,
+                           tl_error *err);
+
+/* Writes `size` bytes to the start of the buffer, which has room; nothing for a size of 0. */
+tl_status tl_buffers_write(tl_buffers *buffers,
+                           const tl_device *device,
+                           tl_buffer_name name,
+                           const void *from,
+                           size_t size,
+                           tl_error *err);
+
+/* Maps the first `size` bytes for the host; unmap with tl_buffers_unmap. Waits for the device. */
+tl_status tl_buffers_map(tl_buffers *buffers,
+                         const tl_device *device,
+                         tl_buffer_name name,
+                         cl_map_flags flags,
+                         size_t size,
+                         void **out,
+                         tl_error *err);
+tl_status tl_buffers_unmap(tl_buffers *buffers,
+                           const tl_device *device,
+                           tl_buffer_name name,
+                           void *mapped,
+                           tl_error *err);
+
+/* Leaves it all zero. */
+void tl_buffers_release(tl_buffers *buffers);
+
+#endif

@@ -1,0 +1,274 @@
+#include "tilelight/lighting.h"
+
+#include "passes.h"
+#include "reference.h"
+#include "try.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* A scene that changes its needs from frame to frame keeps this many programs at hand. */
+enum { MAX_PROGRAMS = 16 };
+
+struct tl_lighting {
+    tl_device *device;
+    tl_lighting_options options;
+    tl_prepared prepared;
+    tl_buffers buffers;
+    tl_program programs[MAX_PROGRAMS];
+    int program_count, oldest_program;
+};
+
+static const struct {
+    int on_host, is_double;
+    tl_arithmetic arithmetic; /* on the host */
+} precisions[TL_PRECISION_COUNT] = {
+    [TL_PRECISION_FLOAT] = {0, 0, TL_TWIN_FLOAT},
+    [TL_PRECISION_DOUBLE] = {0, 1, TL_TWIN_DOUBLE},
+    [TL_PRECISION_REFERENCE] = {1, 1, TL_TWIN_REFERENCE},
+    [TL_PRECISION_TWIN] = {1, 0, TL_TWIN_FLOAT},
+};
+
+tl_lighting_options tl_lighting_options_default(void)
+{
+    return (tl_lighting_options){
+        .cull = TL_CULL_DEPTH, .precision = TL_PRECISION_FLOAT, .tile_size = 16};
+}
+
+static int is_one_of(uint32_t value, const uint32_t *values, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        if (values[i] == value)
+            return 1;
+    return 0;
+}
+
+static tl_status check_options(const tl_device *device,
+                               const tl_lighting_options *options,
+                               tl_error *err)
+{
+    static const uint32_t tiles[] = {8, 16, 32, 64}, widths[] = {0, 1, 4, 8, 16};
+    if (!is_one_of(options->tile_size, tiles, sizeof tiles / sizeof tiles[0]))
+        return tl_fail(err, TL_ERR_ARGUMENT, "a tile of %u px: it must be 8, 16, 32 or 64",
+                       options->tile_size);
+    if (!is_one_of(options->vector_width, widths, sizeof widths / sizeof widths[0]))
+        return tl_fail(err, TL_ERR_ARGUMENT, "vectors of %u lanes: it must be 1, 4, 8 or 16",
+                       options->vector_width);
+    if (!(options->light_cutoff >= 0.0f && options->light_cutoff < INFINITY))
+        return tl_fail(err, TL_ERR_ARGUMENT, "a light cutoff of %g lx: it must be 0 or above",
+                       (double)options->light_cutoff);
+    if (precisions[options->precision].on_host)
+        return TL_OK;
+    if (!device)
+        return tl_fail(err, TL_ERR_ARGUMENT, "this precision needs a device");
+    if (precisions[options->precision].is_double && !device->info.has_double)
+        return tl_fail(err, TL_ERR_NO_DEVICE,
+                       "%s has no double precision: use --precision float or reference",
+                       device->info.name);
+    return TL_OK;
+}
+
+tl_status tl_lighting_create(tl_device *device,
+                             const tl_lighting_options *options,
+                             tl_lighting **out,
+                             tl_error *err)
+{
+    const tl_status status = check_options(device, options, err);
+    if (status != TL_OK)
+        return status;
+    tl_lighting *made = calloc(1, sizeof *made);
+    if (!made)
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for lighting");
+    made->device = device;
+    made->options = *options;
+    *out = made;
+    return TL_OK;
+}
+
+void tl_lighting_destroy(tl_lighting *lighting)
+{
+    if (!lighting)
+        return;
+    tl_buffers_release(&lighting->buffers);
+    for (int i = 0; i < lighting->program_count; i++)
+        tl_program_release(&lighting->programs[i]);
+    tl_prepared_clear(&lighting->prepared);
+    free(lighting);
+}
+
+static tl_kernel_options kernel_options(const tl_lighting *lighting)
+{
+    const tl_lighting_options *o = &lighting->options;
+    const tl_needs *needs = &lighting->prepared.needs;
+    const int is_double = precisions[o->precision].is_double;
+    uint32_t width = o->vector_width ? o->vector_width : lighting->device->info.vector_width;
+    if (!o->vector_width && is_double && width > 1)
+        width /= 2; /* as many bytes as the register has */
+    if (width == 2)
+        width = 1;
+    if (width > o->tile_size)
+        width = o->tile_size; /* a vector never straddles two tiles */
+    return (tl_kernel_options){.width = width,
+                               .real_double = (uint32_t)is_double,
+                               .orthographic = needs->orthographic,
+                               .present = needs->present,
+                               .specular = needs->specular,
+                               .falloffs = needs->falloffs};
+}
+
+/* The program for this frame, built if the scene needs one it has not needed lately. */
+static tl_status find_program(tl_lighting *lighting, const tl_program **out, tl_error *err)
+{
+    const tl_kernel_options options = kernel_options(lighting);
+    tl_program built = {0};
+    for (int i = 0; i < lighting->program_count; i++) {
+        if (memcmp(&lighting->programs[i].options, &options, sizeof options) == 0) {
+            *out = &lighting->programs[i];
+            return TL_OK;
+        }
+    }
+    const tl_status status = tl_program_build(lighting->device, &options, &built, err);
+    if (status != TL_OK)
+        return status;
+    if (lighting->program_count == MAX_PROGRAMS) {
+        const int slot = lighting->oldest_program;
+        lighting->oldest_program = (slot + 1) % MAX_PROGRAMS;
+        tl_program_release(&lighting->programs[slot]);
+        lighting->programs[slot] = built;
+        *out = &lighting->programs[slot];
+        return TL_OK;
+    }
+    lighting->programs[lighting->program_count] = built;
+    *out = &lighting->programs[lighting->program_count++];
+    return TL_OK;
+}
+
+static size_t plane_size(const tl_gbuffer *gbuffer)
+{
+    return (size_t)gbuffer->pitch * gbuffer->rows * sizeof(float);
+}
+
+static tl_status upload(const tl_pass_context *c,
+                        const tl_gbuffer *gbuffer,
+                        tl_image *image,
+                        tl_error *err)
+{
+    const size_t planes = plane_size(gbuffer) * (size_t)__builtin_popcount(gbuffer->present);
+    const size_t radiance = 3 * plane_size(gbuffer);
+    const size_t lights = c->prepared->frame.light_count * sizeof(tl_view_light);
+    tl_status status = TL_OK;
+    if (c->device->shares_memory) {
+        TRY(tl_buffers_share(c->buffers, c->device, TL_BUFFER_PLANES, gbuffer->planes, planes,
+                             err));
+        TRY(tl_buffers_share(c->buffers, c->device, TL_BUFFER_RADIANCE, image->planes, radiance,
+                             err));
+    } else {
+        TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_PLANES, planes, err));
+        TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_RADIANCE, radiance, err));
+        TRY(tl_buffers_write(c->buffers, c->device, TL_BUFFER_PLANES, gbuffer->planes, planes,
+                             err));
+    }
+    TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_LIGHTS, lights, err));
+    TRY(tl_buffers_write(c->buffers, c->device, TL_BUFFER_LIGHTS, c->prepared->lights, lights,
+                         err));
+done:
+    return status;
+}
+
+/* Where memory is shared, the radiance is in the image already once the host has mapped it. */
+static tl_status read_back(const tl_pass_context *c, tl_image *image, tl_error *err)
+{
+    const size_t size = 3 * (size_t)image->pitch * image->rows * sizeof(float);
+    void *mapped = NULL;
+    tl_status status = TL_OK;
+    TRY(tl_buffers_map(c->buffers, c->device, TL_BUFFER_RADIANCE, CL_MAP_READ, size, &mapped,
+                       err));
+    if (mapped != image->planes)
+        memcpy(image->planes, mapped, size);
+    TRY(tl_buffers_unmap(c->buffers, c->device, TL_BUFFER_RADIANCE, mapped, err));
+    TRY(tl_cl(clFinish(c->device->queue), "clFinish", err));
+done:
+    return status;
+}
+
+static tl_status run_on_device(tl_lighting *lighting,
+                               const tl_gbuffer *gbuffer,
+                               tl_image *image,
+                               tl_timings *timings,
+                               uint64_t *list_length,
+                               tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_pass_context context = {.device = lighting->device,
+                               .buffers = &lighting->buffers,
+                               .prepared = &lighting->prepared,
+                               .precision_is_double =
+                                   precisions[lighting->options.precision].is_double};
+    double clock = tl_seconds();
+    TRY(find_program(lighting, &context.program, err));
+    clock = tl_timings_end(timings, "compile", clock);
+    TRY(upload(&context, gbuffer, image, err));
+    clock = tl_timings_end(timings, "upload", clock);
+    if (lighting->options.cull == TL_CULL_NONE)
+        TRY(tl_pass_list_all(&context, list_length, err));
+    else
+        TRY(tl_pass_cull(&context, list_length, err));
+    clock = tl_timings_end(timings, "cull", clock);
+    TRY(tl_pass_shade(&context, err));
+    clock = tl_timings_end(timings, "shade", clock);
+    TRY(read_back(&context, image, err));
+    tl_timings_end(timings, "readback", clock);
+done:
+    return status;
+}
+
+static tl_lighting_counts count(const tl_prepared *prepared, uint64_t list_length)
+{
+    const tl_frame *frame = &prepared->frame;
+    return (tl_lighting_counts){
+        .tile_count = frame->tiles_x * frame->tiles_y,
+        .global_light_count = frame->global_count,
+        .ranged_light_count = frame->light_count - frame->global_count,
+        .list_length = list_length,
+        .pair_count = list_length * frame->tile_size * frame->tile_size,
+        .left_out_count = prepared->left_out_count,
+    };
+}
+
+tl_status tl_lighting_run(tl_lighting *lighting,
+                          const tl_gbuffer *gbuffer,
+                          const tl_light_set *lights,
+                          tl_image *image,
+                          tl_timings *timings,
+                          const tl_notices *notices,
+                          tl_lighting_counts *counts,
+                          tl_error *err)
+{
+    const tl_lighting_options *options = &lighting->options;
+    tl_status status = TL_OK;
+    uint64_t list_length = 0;
+    double clock = tl_seconds();
+
+    if (image->pitch != gbuffer->pitch || image->rows != gbuffer->rows)
+        TRY(tl_fail(
+            err, TL_ERR_ARGUMENT,
+            "the image is %u x %u pixels, the G-buffer %u x %u: they must be of one size",
+            image->width, image->height, gbuffer->camera.width, gbuffer->camera.height));
+    TRY(tl_prepare(gbuffer, lights, options->tile_size, options->cull == TL_CULL_DEPTH,
+                   options->light_cutoff, notices, &lighting->prepared, err));
+    clock = tl_timings_end(timings, "prepare", clock);
+    if (precisions[options->precision].on_host) {
+        tl_reference_light(&lighting->prepared, gbuffer,
+                           precisions[options->precision].arithmetic, image);
+        tl_timings_end(timings, "shade", clock);
+        list_length = (uint64_t)(lighting->prepared.frame.light_count -
+                                 lighting->prepared.frame.global_count) *
+                      lighting->prepared.frame.tiles_x * lighting->prepared.frame.tiles_y;
+    } else {
+        TRY(run_on_device(lighting, gbuffer, image, timings, &list_length, err));
+    }
+    if (counts)
+        *counts = count(&lighting->prepared, list_length);
+done:
+    return status;
+}

@@ -1,0 +1,191 @@
+#include "passes.h"
+
+#include "try.h"
+
+#include <stdlib.h>
+
+enum { LIGHTS_PER_RECT_ITEM = 32 }; /* as LIGHTS_PER_ITEM in kernels/light_rects.cl */
+
+/* In work-groups of one: these kernels share nothing within a group. The frame comes first, then
+ * the buffers; TL_BUFFER_COUNT stands for NULL. */
+static tl_status launch(const tl_pass_context *c,
+                        cl_kernel kernel,
+                        const char *name,
+                        const tl_buffer_name *buffers,
+                        cl_uint buffer_count,
+                        size_t items,
+                        tl_error *err)
+{
+    static const size_t one = 1;
+    cl_int code = clSetKernelArg(kernel, 0, sizeof c->prepared->frame, &c->prepared->frame);
+    for (cl_uint i = 0; code == CL_SUCCESS && i < buffer_count; i++)
+        code = clSetKernelArg(
+            kernel, i + 1, sizeof(cl_mem),
+            buffers[i] == TL_BUFFER_COUNT ? NULL : &c->buffers->of[buffers[i]].memory);
+    if (code == CL_SUCCESS)
+        code = clEnqueueNDRangeKernel(c->device->queue, kernel, 1, NULL, &items, &one, 0, NULL,
+                                      NULL);
+    return tl_cl(code, name, err);
+}
+
+#define LAUNCH(context, name, items, err, ...)                                        \
+    launch(context, (context)->program->name, #name, (tl_buffer_name[]){__VA_ARGS__}, \
+           sizeof((tl_buffer_name[]){__VA_ARGS__}) / sizeof(tl_buffer_name), items, err)
+
+static size_t tile_count(const tl_pass_context *c)
+{
+    return (size_t)c->prepared->frame.tiles_x * c->prepared->frame.tiles_y;
+}
+
+static tl_status reserve_tiles(const tl_pass_context *c, tl_error *err)
+{
+    const tl_frame *frame = &c->prepared->frame;
+    const size_t element = c->precision_is_double ? sizeof(double) : sizeof(float);
+    tl_status status = TL_OK;
+    TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_BOXES,
+                           6 * element * frame->tiles_y * frame->box_pitch, err));
+    TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_DEPTHS,
+                           2 * sizeof(float) * frame->tiles_y, err));
+    TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_RECTS,
+                           frame->light_count * sizeof(tl_tile_rect), err));
+    TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_STARTS,
+                           tile_count(c) * sizeof(cl_uint), err));
+    TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_ENDS,
+                           tile_count(c) * sizeof(cl_uint), err));
+done:
+    return status;
+}
+
+/* The rectangles of a device without double: the same header on the host. */
+static tl_status rects_on_host(const tl_pass_context *c, tl_error *err)
+{
+    const tl_frame *frame = &c->prepared->frame;
+    const size_t depths_size = 2 * sizeof(float) * frame->tiles_y;
+    double near = (double)INFINITY, far = (double)-INFINITY;
+    tl_status status = TL_OK;
+    tl_tile_rect *rects = NULL;
+    void *mapped = NULL;
+
+    TRY(tl_buffers_map(c->buffers, c->device, TL_BUFFER_DEPTHS, CL_MAP_READ, depths_size,
+                       &mapped, err));
+    const float *depths = mapped;
+    for (size_t row = 0; row < frame->tiles_y; row++) {
+        near = fmin(near, (double)depths[2 * row]);
+        far = fmax(far, (double)depths[2 * row + 1]);
+    }
+    TRY(tl_buffers_unmap(c->buffers, c->device, TL_BUFFER_DEPTHS, mapped, err));
+    rects = calloc(frame->light_count + 1, sizeof *rects);
+    if (!rects)
+        TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for the rectangles of lights"));
+    const tl_view_window window = view_window(frame->rays, frame->tiles_x * frame->tile_size,
+                                              frame->tiles_y * frame->tile_size, near, far,
+                                              (int)c->prepared->needs.orthographic);
+    for (uint32_t i = frame->global_count; i < frame->light_count; i++)
+        rects[i] = tile_rect_of(window, frame, c->prepared->lights[i]);
+    TRY(tl_buffers_write(c->buffers, c->device, TL_BUFFER_RECTS, rects,
+                         frame->light_count * sizeof *rects, err));
+done:
+    free(rects);
+    return status;
+}
+
+static tl_status find_rects(const tl_pass_context *c, tl_error *err)
+{
+    const size_t items =
+        (c->prepared->frame.light_count + LIGHTS_PER_RECT_ITEM - 1) / LIGHTS_PER_RECT_ITEM;
+    if (!c->program->light_rects)
+        return rects_on_host(c, err);
+    return LAUNCH(c, light_rects, items, err, TL_BUFFER_DEPTHS, TL_BUFFER_LIGHTS,
+                  TL_BUFFER_RECTS);
+}
+
+/* Turns the lengths that counting left in ENDS into where each list starts, in both buffers. */
+static tl_status place_lists(const tl_pass_context *c, uint64_t *list_length, tl_error *err)
+{
+    const size_t count = tile_count(c), size = count * sizeof(cl_uint);
+    uint64_t total = 0;
+    void *starts_map = NULL, *ends_map = NULL;
+    tl_status status = TL_OK;
+    TRY(tl_buffers_map(c->buffers, c->device, TL_BUFFER_ENDS, CL_MAP_READ | CL_MAP_WRITE, size,
+                       &ends_map, err));
+    TRY(tl_buffers_map(c->buffers, c->device, TL_BUFFER_STARTS, CL_MAP_WRITE, size, &starts_map,
+                       err));
+    cl_uint *starts = starts_map, *ends = ends_map;
+    for (size_t tile = 0; tile < count; tile++) {
+        const cl_uint length = ends[tile];
+        starts[tile] = ends[tile] = (cl_uint)total;
+        total += length;
+    }
+    TRY(tl_buffers_unmap(c->buffers, c->device, TL_BUFFER_STARTS, starts_map, err));
+    TRY(tl_buffers_unmap(c->buffers, c->device, TL_BUFFER_ENDS, ends_map, err));
+    if (total > UINT32_MAX)
+        TRY(tl_fail(
+            err, TL_ERR_UNSUPPORTED,
+            "%u lights on %zu tiles make lists of %llu entries, above 2^32: larger tiles "
+            "(--tile 64) or fewer lights are needed",
+            c->prepared->frame.light_count, count, (unsigned long long)total));
+    *list_length = total;
+done:
+    return status;
+}
+
+tl_status tl_pass_cull(const tl_pass_context *c, uint64_t *list_length, tl_error *err)
+{
+    const size_t rows = c->prepared->frame.tiles_y;
+    tl_status status = TL_OK;
+    TRY(reserve_tiles(c, err));
+    TRY(LAUNCH(c, bound_rows, rows, err, TL_BUFFER_PLANES, TL_BUFFER_BOXES, TL_BUFFER_DEPTHS));
+    TRY(find_rects(c, err));
+    TRY(LAUNCH(c, list_rows, rows, err, TL_BUFFER_BOXES, TL_BUFFER_LIGHTS, TL_BUFFER_RECTS,
+               TL_BUFFER_ENDS, TL_BUFFER_COUNT));
+    TRY(place_lists(c, list_length, err));
+    TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_LIST,
+                           (size_t)*list_length * sizeof(cl_uint), err));
+    TRY(LAUNCH(c, list_rows, rows, err, TL_BUFFER_BOXES, TL_BUFFER_LIGHTS, TL_BUFFER_RECTS,
+               TL_BUFFER_ENDS, TL_BUFFER_LIST));
+    TRY(tl_cl(clFinish(c->device->queue), "culling", err));
+done:
+    return status;
+}
+
+tl_status tl_pass_list_all(const tl_pass_context *c, uint64_t *list_length, tl_error *err)
+{
+    const tl_frame *frame = &c->prepared->frame;
+    const cl_uint ranged_count = frame->light_count - frame->global_count;
+    const size_t tiles_size = tile_count(c) * sizeof(cl_uint);
+    void *mapped = NULL;
+    tl_status status = TL_OK;
+    TRY(reserve_tiles(c, err));
+    TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_LIST,
+                           ranged_count * sizeof(cl_uint), err));
+    TRY(tl_buffers_map(c->buffers, c->device, TL_BUFFER_STARTS, CL_MAP_WRITE, tiles_size,
+                       &mapped, err));
+    for (size_t tile = 0; tile < tile_count(c); tile++)
+        ((cl_uint *)mapped)[tile] = 0;
+    TRY(tl_buffers_unmap(c->buffers, c->device, TL_BUFFER_STARTS, mapped, err));
+    TRY(tl_buffers_map(c->buffers, c->device, TL_BUFFER_ENDS, CL_MAP_WRITE, tiles_size, &mapped,
+                       err));
+    for (size_t tile = 0; tile < tile_count(c); tile++)
+        ((cl_uint *)mapped)[tile] = ranged_count;
+    TRY(tl_buffers_unmap(c->buffers, c->device, TL_BUFFER_ENDS, mapped, err));
+    if (ranged_count > 0) {
+        TRY(tl_buffers_map(c->buffers, c->device, TL_BUFFER_LIST, CL_MAP_WRITE,
+                           ranged_count * sizeof(cl_uint), &mapped, err));
+        for (cl_uint i = 0; i < ranged_count; i++)
+            ((cl_uint *)mapped)[i] = frame->global_count + i;
+        TRY(tl_buffers_unmap(c->buffers, c->device, TL_BUFFER_LIST, mapped, err));
+    }
+    *list_length = (uint64_t)ranged_count * tile_count(c);
+done:
+    return status;
+}
+
+tl_status tl_pass_shade(const tl_pass_context *c, tl_error *err)
+{
+    tl_status status = TL_OK;
+    TRY(LAUNCH(c, shade_tiles, tile_count(c), err, TL_BUFFER_PLANES, TL_BUFFER_LIGHTS,
+               TL_BUFFER_STARTS, TL_BUFFER_ENDS, TL_BUFFER_LIST, TL_BUFFER_RADIANCE));
+    TRY(tl_cl(clFinish(c->device->queue), "shading", err));
+done:
+    return status;
+}

@@ -1,0 +1,44 @@
+/* Kernel programs, specialised and built at run time from the sources embedded at build time. */
+#ifndef TL_PROGRAM_H
+#define TL_PROGRAM_H
+
+#include "device.h"
+#include "options.h"
+
+#include <stdint.h>
+
+/* One field per line of TL_KERNEL_OPTIONS, documented there. */
+typedef struct tl_kernel_options {
+#define FIELD(macro, field) uint32_t field;
+    TL_KERNEL_OPTIONS(FIELD)
+#undef FIELD
+} tl_kernel_options;
+
+/* The kernels of a program.
+ * X(name in the program and here) */
+#define TL_KERNELS(X) \
+    X(bound_rows)     \
+    X(light_rects)    \
+    X(list_rows)      \
+    X(shade_tiles)
+
+typedef struct tl_program {
+    tl_kernel_options options;
+    cl_program program;
+#define HANDLE(name) cl_kernel name;
+    TL_KERNELS(HANDLE)
+#undef HANDLE
+} tl_program;
+
+/* Builds every kernel for one device and one set of options; light_rects stays NULL on a device
+ * without double. Release with tl_program_release. Fails with TL_ERR_DEVICE; the message then
+ * carries the file and the compiler's log. */
+tl_status tl_program_build(const tl_device *device,
+                           const tl_kernel_options *options,
+                           tl_program *out,
+                           tl_error *err);
+
+/* Accepts one that is all zero, and leaves it so. */
+void tl_program_release(tl_program *program);
+
+#endif

@@ -1,0 +1,51 @@
+#include "tilelight/bounds.h"
+
+#include "sphere_bounds.h"
+
+/* Cells [*first, *end) of `count` between the edges `at_0` and `at_count` that the interval meets:
+ * from the one that holds its one end to the one that holds the other. A pixel whose centre is in
+ * the interval is half a cell inside, which no rounding here comes near. 0 if there is none. */
+static int cells_of(tl_interval interval,
+                    double at_0,
+                    double at_count,
+                    uint32_t count,
+                    uint32_t *first,
+                    uint32_t *end)
+{
+    const double scale = (double)count / (at_count - at_0);
+    const double a = (interval.low - at_0) * scale, b = (interval.high - at_0) * scale;
+    const double from = a < b ? a : b, to = a < b ? b : a;
+    if (interval.low > interval.high || to < 0.0 || from > (double)count)
+        return 0;
+    *first = from > 0.0 ? (uint32_t)from : 0;
+    *end = to < (double)count ? (uint32_t)to + 1 : count;
+    if (*first == count)
+        *first = count - 1;
+    return 1;
+}
+
+static int is_finite(const tl_camera *camera, const float center[3], float radius)
+{
+    return isfinite(center[0]) && isfinite(center[1]) && isfinite(center[2]) &&
+           isfinite(radius) && radius >= 0.0f && !isnan(camera->far) && isfinite(camera->near);
+}
+
+void tl_sphere_bounds(const tl_camera *camera,
+                      const float center[3],
+                      float radius,
+                      tl_pixel_rect *out)
+{
+    *out = (tl_pixel_rect){0, 0, camera->width, camera->height};
+    if (!is_finite(camera, center, radius))
+        return;
+    const double depth = -(double)center[2], near = (double)camera->near;
+    const double far = (double)camera->far, r = (double)radius;
+    const int orthographic = camera->projection == TL_ORTHOGRAPHIC;
+    const tl_interval x = sphere_interval((double)center[0], depth, r, near, far, orthographic);
+    const tl_interval y = sphere_interval((double)center[1], depth, r, near, far, orthographic);
+    if (!cells_of(x, (double)camera->left, (double)camera->right, camera->width, &out->x0,
+                  &out->x1) ||
+        !cells_of(y, (double)camera->top, (double)camera->bottom, camera->height, &out->y0,
+                  &out->y1))
+        *out = (tl_pixel_rect){0, 0, 0, 0};
+}

@@ -1,0 +1,141 @@
+/* Culling: one work-item per row of tiles, vectors of tiles, lists in index order.
+ *
+ * A row's work-item is alone in writing its tiles' lists, so there are no atomics, and lights
+ * are appended in index order because that is the order of the loop. A list cannot overflow: the
+ * same kernel runs twice, first counting, then writing where the counts say, and the two passes
+ * cannot disagree about a light because they are one text. The invariant that makes a light
+ * never lost to rounding is in reach.h; rectangles (tile_rect.h) come before it. */
+#include "position.h"
+#include "reach.h"
+#include "tile_rect.h"
+
+/* Six values per box, as planes of [tiles_y][box_pitch] scalars. */
+enum { LOW_X, LOW_Y, LOW_Z, HIGH_X, HIGH_Y, HIGH_Z };
+
+#define MIN_HALVES(v) min((v).lo, (v).hi)
+#define MAX_HALVES(v) max((v).lo, (v).hi)
+
+static inline box cube(scalar low, scalar high)
+{
+    const box b = {{low, low, low}, {high, high, high}};
+    return b;
+}
+
+static inline void include(real *low, real *high, mask covered, real value)
+{
+    *low = pick(covered & (value < *low), value, *low);
+    *high = pick(covered & (value > *high), value, *high);
+}
+
+/* One box per lane; together they hold every position shade_tiles will compute in the tile. */
+static box boxes_of_tile(const tl_frame *frame,
+                         __global const float *depths,
+                         uint column0,
+                         uint row0)
+{
+    const tl_needs needs = needs_of_build();
+    box b = cube(INFINITY, -INFINITY);
+    for (uint row = row0; row < row0 + frame->tile_size; row++) {
+        for (uint column = column0; column < column0 + frame->tile_size; column += TL_WIDTH) {
+            const real depth = LOAD(depths, (size_t)row * frame->pitch + column);
+            const vec3 p = view_position(frame->rays, needs, (scalar)column + LANE_INDEX,
+                                         (scalar)row, depth);
+            const mask covered = depth < (real)INFINITY;
+            include(&b.low.x, &b.high.x, covered, p.x);
+            include(&b.low.y, &b.high.y, covered, p.y);
+            include(&b.low.z, &b.high.z, covered, p.z);
+        }
+    }
+    return b;
+}
+
+/* surface   [rows][pitch], m: the plane TL_DEPTH
+ * boxes   [6][tiles_y][box_pitch], written in full; empty beyond the last tile of a row
+ * depths  [tiles_y][2]: least and largest depth in the row, INFINITY and -INFINITY if all sky
+ * Global size: tiles_y. */
+__kernel void bound_rows(const tl_frame frame,
+                         __global const float *restrict surface,
+                         __global scalar *restrict boxes,
+                         __global float *restrict depths)
+{
+    const uint tile_row = get_global_id(0);
+    const size_t plane = (size_t)frame.tiles_y * frame.box_pitch;
+    scalar near = INFINITY, far = -INFINITY;
+
+    for (uint tile = 0; tile < frame.box_pitch; tile++) {
+        box b = cube(INFINITY, -INFINITY);
+        if (tile < frame.tiles_x)
+            b = boxes_of_tile(&frame, surface, tile * frame.tile_size,
+                              tile_row * frame.tile_size);
+        __global scalar *to = boxes + (size_t)tile_row * frame.box_pitch + tile;
+        const scalar low_z = FOLD(MIN_HALVES, b.low.z), high_z = FOLD(MAX_HALVES, b.high.z);
+        to[LOW_X * plane] = FOLD(MIN_HALVES, b.low.x);
+        to[LOW_Y * plane] = FOLD(MIN_HALVES, b.low.y);
+        to[LOW_Z * plane] = low_z;
+        to[HIGH_X * plane] = FOLD(MAX_HALVES, b.high.x);
+        to[HIGH_Y * plane] = FOLD(MAX_HALVES, b.high.y);
+        to[HIGH_Z * plane] = high_z;
+        near = min(near, -high_z);
+        far = max(far, -low_z);
+    }
+    depths[2 * tile_row] = (float)near;
+    depths[2 * tile_row + 1] = (float)far;
+}
+
+/* Appends light i to the lists of the tiles in `met`; counts only where there is no list. */
+static void append(mask met, __global uint *end, __global uint *list, uint i)
+{
+    int met_by[TL_WIDTH];
+    STORE_MASK(met, met_by);
+    for (uint lane = 0; lane < TL_WIDTH; lane++) {
+        if (met_by[lane] == 0)
+            continue;
+        const uint at = end[lane]++;
+        if (list)
+            list[at] = i;
+    }
+}
+
+/* boxes   as bound_rows leaves them
+ * lights  [light_count], rects [light_count]: from global_count on
+ * ends    [tiles_y * tiles_x]. Counting (list is NULL): becomes the length of each tile's
+ *         list. Listing: is where each list starts and becomes where it ends.
+ * list    indices of lights, ascending within a tile
+ * Global size: tiles_y. */
+__kernel void list_rows(const tl_frame frame,
+                        __global const scalar *restrict boxes,
+                        __global const tl_view_light *restrict lights,
+                        __global const tl_tile_rect *restrict rects,
+                        __global uint *restrict ends,
+                        __global uint *restrict list)
+{
+    const uint tile_row = get_global_id(0);
+    const size_t plane = (size_t)frame.tiles_y * frame.box_pitch;
+    __global const scalar *row_boxes = boxes + (size_t)tile_row * frame.box_pitch;
+    __global uint *row_ends = ends + (size_t)tile_row * frame.tiles_x;
+
+    for (uint tile = 0; !list && tile < frame.tiles_x; tile++)
+        row_ends[tile] = 0;
+    for (uint i = frame.global_count; i < frame.light_count; i++) {
+        const tl_tile_rect rect = rects[i];
+        if ((int)tile_row < rect.y0 || (int)tile_row >= rect.y1)
+            continue;
+        const tl_view_light light = lights[i];
+        for (uint tile = rect.x0 / TL_WIDTH * TL_WIDTH; tile < (uint)rect.x1;
+             tile += TL_WIDTH) {
+            const real index = (scalar)tile + LANE_INDEX;
+            mask met = (index >= (real)(scalar)rect.x0) & (index < (real)(scalar)rect.x1);
+            if (frame.cull_depth) {
+                __global const scalar *from = row_boxes + tile;
+                const vec3 low = {LOAD(from, LOW_X * plane), LOAD(from, LOW_Y * plane),
+                                  LOAD(from, LOW_Z * plane)};
+                const vec3 high = {LOAD(from, HIGH_X * plane), LOAD(from, HIGH_Y * plane),
+                                   LOAD(from, HIGH_Z * plane)};
+                const box tiles = {low, high};
+                met = met & reaches_box(light, tiles);
+            }
+            if (any_lane(met))
+                append(met, row_ends + tile, list, i);
+        }
+    }
+}

@@ -1,0 +1,156 @@
+/* One text, two compilers, every precision and width.
+ *
+ * A .h in kernels/ is read by the host's C compiler and by OpenCL C, a .cl by OpenCL C only. A
+ * formula is written once, over the names below, and is scalar code or SIMD code as it is built.
+ *
+ *   real      one quantity per lane: floatN or doubleN, N = TL_WIDTH; on the host N is 1
+ *   scalar    the element of real, for what is the same in every lane
+ *   integer   lanes of integers as wide as real;  mask: what comparing two reals gives
+ *   R(x)      a literal of type scalar
+ *
+ * Rules that make every width and the host give the same bits, and why:
+ *
+ * - a * b + c is never contracted; where one rounding is meant, FMA says so. Off here and with
+ *   -ffp-contract=off on the host. Measured on PoCL 3.1, a chain as in light.h: 0 of
+ *   1,048,576 results differ between the host and widths 1, 8, 16; with contraction left on, a
+ *   plain a * b + c differs in 300,481.
+ * - + - * / SQRT FMA and conversions only: IEEE 754 fixes their results. pow, exp, rsqrt and
+ *   native_* differ from library to library; specular.h has its own power. OpenCL lets a device
+ *   round float / and sqrt less well; those of PoCL on x86 do not, others lose only this test.
+ * - No double by accident: SQRT, not sqrt; R(0.5), not 0.5.
+ * - pick, not `if`, min or fmax: their NaN rules differ, and a lane cannot branch.
+ * - No libm, no pointers (OpenCL's have address spaces), no float3 (it is 16 bytes), no bool. */
+#ifndef TL_DIALECT_H
+#define TL_DIALECT_H
+
+/* C11 has _Static_assert, OpenCL C 1.2 has not; a negative array length stops both. */
+#define TL_STATIC_ASSERT(condition, name) typedef char tl_assert_##name[(condition) ? 1 : -1]
+
+#ifdef __OPENCL_C_VERSION__
+#    pragma OPENCL FP_CONTRACT OFF
+#    include "options.h"
+
+#    define TL_PASTE_(a, b) a##b
+#    define TL_PASTE(a, b) TL_PASTE_(a, b)
+#    if TL_WIDTH == 1
+#        define TL_LANES(type) type
+#    else
+#        define TL_LANES(type) TL_PASTE(type, TL_WIDTH)
+#    endif
+
+#    if TL_REAL_DOUBLE
+#        define TL_SCALAR double
+#        define TL_INTEGER long
+#        define R(x) x
+#    else
+#        define TL_SCALAR float
+#        define TL_INTEGER int
+#        define R(x) x##f
+#    endif
+
+typedef uint tl_u32;
+typedef TL_SCALAR scalar;
+typedef TL_LANES(TL_SCALAR) real;
+typedef TL_LANES(TL_INTEGER) integer;
+#    define TO_REAL(i) TL_PASTE(convert_, TL_LANES(TL_SCALAR))(i)
+#    define AS_REAL(i) TL_PASTE(as_, TL_LANES(TL_SCALAR))(i)
+#    define TO_INTEGER(x) TL_PASTE(convert_, TL_LANES(TL_INTEGER))(x)
+#    define AS_INTEGER(x) TL_PASTE(as_, TL_LANES(TL_INTEGER))(x)
+
+/* FOLD(HALVES, v) combines the lanes of v to one, as a tree; HALVES(v) joins v.lo and v.hi. */
+#    if TL_WIDTH == 16
+#        define FOLD(HALVES, v) HALVES(HALVES(HALVES(HALVES(v))))
+#        define LANE_INDEX ((real)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
+typedef integer mask;
+#    elif TL_WIDTH == 8
+#        define FOLD(HALVES, v) HALVES(HALVES(HALVES(v)))
+#        define LANE_INDEX ((real)(0, 1, 2, 3, 4, 5, 6, 7))
+typedef integer mask;
+#    elif TL_WIDTH == 4
+#        define FOLD(HALVES, v) HALVES(HALVES(v))
+#        define LANE_INDEX ((real)(0, 1, 2, 3))
+typedef integer mask;
+#    else
+#        define FOLD(HALVES, v) (v)
+#        define LANE_INDEX ((real)0)
+typedef int mask;
+#    endif
+
+#    define FMA(a, b, c) fma((real)(a), (real)(b), (real)(c))
+#    define SQRT(v) sqrt(v)
+#    define pick(which, a, b) ((which) ? (real)(a) : (real)(b))
+
+/* Not any(): that of a scalar looks at the sign bit, which a true scalar comparison leaves 0,
+ * and that of an int16 is slower on PoCL than this tree. */
+#    define OR_HALVES(v) ((v).lo | (v).hi)
+static inline int any_lane(mask which)
+{
+    return FOLD(OR_HALVES, which) != 0;
+}
+
+/* From and to memory of any alignment: vloadN asks for none, a cast pointer would. LOAD widens
+ * floats where real is double. */
+#    if TL_WIDTH == 1
+#        define LOAD(from, at) ((real)(from)[at])
+#        define STORE_FLOAT(v, to, at) ((to)[at] = (float)(v))
+#        define STORE_MASK(which, to) ((to)[0] = (which))
+#    else
+#        define LOAD(from, at) TO_REAL(TL_LANES(vload)(0, (from) + (at)))
+#        define STORE_FLOAT(v, to, at) \
+            TL_LANES(vstore)(TL_LANES(convert_float)(v), 0, (to) + (at))
+#        define STORE_MASK(which, to) TL_LANES(vstore)(TL_LANES(convert_int)(which), 0, to)
+#    endif
+
+#else /* the host: one lane; float unless the file that includes this says otherwise */
+#    include <math.h>
+#    include <stdint.h>
+#    include <string.h>
+
+#    ifndef TL_REAL_DOUBLE
+#        define TL_REAL_DOUBLE 0
+#    endif
+#    ifndef TL_PRECISE_POWER
+#        define TL_PRECISE_POWER 0
+#    endif
+
+typedef uint32_t tl_u32;
+#    if TL_REAL_DOUBLE
+typedef double real, scalar;
+typedef int64_t integer;
+#        define R(x) x
+#        define FMA(a, b, c) fma(a, b, c)
+#        define SQRT(x) sqrt(x)
+#    else
+typedef float real, scalar;
+typedef int32_t integer;
+#        define R(x) x##f
+#        define FMA(a, b, c) fmaf(a, b, c)
+#        define SQRT(x) sqrtf(x)
+#    endif
+typedef int mask;
+
+#    define TO_REAL(i) ((real)(i))
+#    define TO_INTEGER(x) ((integer)(x))
+#    define pick(which, a, b) ((which) ? (a) : (b))
+
+static inline int any_lane(mask which)
+{
+    return which;
+}
+
+static inline integer AS_INTEGER(real x)
+{
+    integer i;
+    memcpy(&i, &x, sizeof i);
+    return i;
+}
+
+static inline real AS_REAL(integer i)
+{
+    real x;
+    memcpy(&x, &i, sizeof x);
+    return x;
+}
+#endif
+
+#endif

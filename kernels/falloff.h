@@ -1,0 +1,39 @@
+/* How light fades with distance: one row a falloff, each with its source.
+ *
+ *   linear          1 - d/range, cut at 0. Policarpo and Fonseca 2005, equation 2.
+ *   inverse square  max(0, 1 - (d/range)^4) / d^2. KHR_lights_punctual, "Range Property"; without
+ *                   a range, 1 / d^2. A light is taken to be 1 cm in size: d is not below that,
+ *                   else one pixel beside a bulb would outshine every other.
+ *   none            1: directional light.
+ *
+ * What the weight is multiplied by decides `reaches` beforehand: the weights here are 0 at the
+ * range only up to rounding. */
+#ifndef TL_FALLOFF_H
+#define TL_FALLOFF_H
+
+#include "dialect.h"
+
+enum tl_falloff_row { TL_FADE_LINEAR, TL_FADE_INVERSE_SQUARE, TL_FADE_NONE, TL_FADE_COUNT };
+
+#define TL_MOST_PER_DISTANCE2 R(1e4) /* 1/m^2: of the nearest distance, 1 cm */
+
+/* fade: 1/range. Error at most 2u (two roundings of values up to 1). */
+static inline real fade_linear(real distance, scalar fade)
+{
+    const real weight = FMA(-distance, fade, R(1.0));
+    return pick(weight > R(0.0), weight, R(0.0));
+}
+
+/* fade: 1/range^2, 0 without a range. per_distance: 1/d. The window is off by 4u absolute, the
+ * quotient by 6u of itself. */
+static inline real fade_inverse_square(real distance2, real per_distance, scalar fade)
+{
+    const real share = distance2 * fade;
+    const real window = FMA(-share, share, R(1.0));
+    const real per_distance2 = per_distance * per_distance;
+    const real near_one =
+        pick(per_distance2 < TL_MOST_PER_DISTANCE2, per_distance2, TL_MOST_PER_DISTANCE2);
+    return pick(window > R(0.0), window, R(0.0)) * near_one;
+}
+
+#endif

@@ -1,0 +1,48 @@
+/* What crosses from host memory to device memory, apart from the planes (planes.h).
+ *
+ * Structures are whole rows of four 32-bit scalars, so host and device cannot disagree about
+ * padding. Sizes are asserted here under both compilers; tests/test_frame_layout.c reads the
+ * offsets back from the device. */
+#ifndef TL_FRAME_H
+#define TL_FRAME_H
+
+#include "dialect.h"
+#include "planes.h"
+
+/* Rays of the camera: pixel (column, row) is seen along (x0 + column dx, y0 + row dy, -1) times
+ * its depth (perspective), or at (x0 + column dx, y0 + row dy) in m, its depth behind
+ * (orthographic). Pixel centres are in x0, y0 already; dy is negative, row 0 being the top. */
+typedef struct tl_rays {
+    float x0, dx, y0, dy;
+} tl_rays;
+
+/* One frame. The planes are filled up with sky, so that no kernel has an edge case. */
+typedef struct tl_frame {
+    tl_rays rays;
+    float view_from_world[3][4]; /* a rotation; column 3 is not used on the device */
+    float ambient[3];            /* linear Rec. 709 */
+    tl_u32 tile_size;            /* px: 8, 16, 32 or 64, at least the vector width */
+    float sky[3];                /* radiance where nothing was hit */
+    tl_u32 cull_depth;           /* 1: lights are tested against the boxes of tiles */
+    tl_u32 pitch, rows;          /* px; the planes are [rows][pitch] */
+    tl_u32 tiles_x, tiles_y;     /* those that hold pixels of the image */
+    tl_u32 box_pitch;            /* boxes per row of tiles, tiles_x up to a multiple of 16 */
+    tl_u32 global_count;         /* lights before this index reach everything */
+    tl_u32 light_count;          /* all lights */
+    tl_u32 unused;
+} tl_frame;
+TL_STATIC_ASSERT(sizeof(tl_frame) == 128, frame_is_eight_rows);
+
+/* A light as the kernels take it: view space, colours multiplied out. All finite. Lights that
+ * reach everything (no range, or directional) stand before all others. */
+typedef struct tl_view_light {
+    float position[3]; /* m; of a directional light the unit vector towards it */
+    float range2;      /* m^2, see reach.h; of no meaning for a light that reaches everything */
+    float diffuse[3];  /* cd or lx, linear Rec. 709 */
+    float fade;        /* 1/range or 1/range^2: see falloff.h */
+    float specular[3]; /* cd or lx */
+    tl_u32 falloff;    /* a row of falloff.h */
+} tl_view_light;
+TL_STATIC_ASSERT(sizeof(tl_view_light) == 48, view_light_is_three_rows);
+
+#endif

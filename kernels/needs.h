@@ -1,0 +1,23 @@
+/* What a scene calls for. On the device these are constants of the build, so that what a scene
+ * lacks is compiled out; on the host they are variables of the same names. */
+#ifndef TL_NEEDS_H
+#define TL_NEEDS_H
+
+#include "dialect.h"
+
+typedef struct tl_needs {
+    tl_u32 present;      /* planes of the frame, bits 1 << plane */
+    tl_u32 falloffs;     /* rows of falloff.h in use, bits 1 << row */
+    tl_u32 specular;     /* 1: some light and some material have a specular lobe */
+    tl_u32 orthographic; /* 1: parallel rays */
+} tl_needs;
+
+#ifdef __OPENCL_C_VERSION__
+static inline tl_needs needs_of_build(void)
+{
+    const tl_needs needs = {TL_PRESENT, TL_FALLOFFS_USED, TL_SPECULAR, TL_ORTHOGRAPHIC};
+    return needs;
+}
+#endif
+
+#endif

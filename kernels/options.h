@@ -1,0 +1,39 @@
+/* The constants a kernel build is specialised by: the only ones.
+ *
+ * The host turns this list into the fields of tl_kernel_options and into -D flags
+ * (host/lighting/program.c). None has a default on the device, so a forgotten flag is a compile
+ * error, and two builds that differ at all differ in this list. What changes from frame to frame
+ * without another kernel being worth it (tile size, culling, counts) is in tl_frame. */
+#ifndef TL_OPTIONS_H
+#define TL_OPTIONS_H
+
+/* X(name of the -D flag, field of tl_kernel_options)
+ *
+ *   width          lanes: 16 (AVX-512), 8 (AVX2), 4 or 1 (GPU)
+ *   real_double    1: compute in double; G-buffer and radiance remain float
+ *   precise_power  1: log2 and exp2 of the library for our polynomials; slow, other bits
+ *   orthographic   1: parallel rays
+ *   present        the planes of the frame, bits 1 << plane
+ *   specular       1: some light has a specular lobe and the frame a specular material
+ *   falloffs       the rows of falloff.h that lights of the scene use, bits 1 << row */
+#define TL_KERNEL_OPTIONS(X)           \
+    X(TL_WIDTH, width)                 \
+    X(TL_REAL_DOUBLE, real_double)     \
+    X(TL_PRECISE_POWER, precise_power) \
+    X(TL_ORTHOGRAPHIC, orthographic)   \
+    X(TL_PRESENT, present)             \
+    X(TL_SPECULAR, specular)           \
+    X(TL_FALLOFFS_USED, falloffs)
+
+#ifdef __OPENCL_C_VERSION__
+#    if !defined(TL_WIDTH) || !defined(TL_REAL_DOUBLE) || !defined(TL_PRECISE_POWER) || \
+        !defined(TL_ORTHOGRAPHIC) || !defined(TL_PRESENT) || !defined(TL_SPECULAR) ||   \
+        !defined(TL_FALLOFFS_USED)
+#        error "build the kernels through tl_program_build(), which passes every option"
+#    endif
+#    if TL_WIDTH != 1 && TL_WIDTH != 4 && TL_WIDTH != 8 && TL_WIDTH != 16
+#        error "TL_WIDTH must be 1, 4, 8 or 16"
+#    endif
+#endif
+
+#endif

@@ -1,0 +1,85 @@
+/* From the planes of a pixel to its surface, and from the light it receives to its radiance. */
+#ifndef TL_PIXEL_H
+#define TL_PIXEL_H
+
+#include "light.h"
+#include "material.h"
+#include "position.h"
+
+/* One pixel (a vector of them) as loaded; what the frame lacks has the value planes.h gives it. */
+typedef struct pixel {
+    real depth;
+    vec3 normal, albedo, specular, emissive;
+    real shininess, metallic, roughness, occlusion;
+} pixel;
+
+static inline phong_material material_of(tl_needs needs, pixel of)
+{
+    if (needs.present & TL_GROUP_METAL_ROUGH)
+        return phong_of_metal_rough(of.albedo, of.metallic, of.roughness);
+    const phong_material m = {of.albedo, of.specular, of.shininess};
+    return m;
+}
+
+static inline surface surface_of(
+    const tl_frame *frame, tl_needs needs, pixel of, real shininess, real column, scalar row)
+{
+    surface s;
+    s.position = view_position(frame->rays, needs, column, row, of.depth);
+    s.normal = view_normal(frame, of.normal);
+    s.to_eye = s.normal;
+    if (needs.specular)
+        s.to_eye = direction_to_eye(needs, s.position);
+    s.shininess = shininess;
+    return s;
+}
+
+/* Radiance of one channel. Ambient light multiplies the albedo plane, not the diffuse colour, so
+ * that metals answer to it too. */
+static inline real channel_of(tl_needs needs,
+                              real diffuse,
+                              real diffuse_light,
+                              real specular,
+                              real specular_light,
+                              real ambient_light,
+                              real emissive)
+{
+    real radiance = diffuse * diffuse_light;
+    if (needs.specular)
+        radiance = FMA(specular, specular_light, radiance);
+    radiance = radiance + ambient_light;
+    if (needs.present & TL_GROUP_EMISSIVE)
+        radiance = radiance + emissive;
+    return radiance;
+}
+
+static inline real ambient_of(tl_needs needs, real albedo, scalar ambient, real occlusion)
+{
+    const real light = albedo * ambient;
+    if (needs.present & TL_GROUP_OCCLUSION)
+        return light * occlusion;
+    return light;
+}
+
+/* What leaves a pixel towards the eye; the sky's radiance where nothing was hit. */
+static inline vec3 radiance_of(
+    const tl_frame *frame, tl_needs needs, pixel of, phong_material m, received sum)
+{
+    const vec3 lit = {
+        channel_of(needs, m.diffuse.x, sum.diffuse.x, m.specular.x, sum.specular.x,
+                   ambient_of(needs, of.albedo.x, frame->ambient[0], of.occlusion),
+                   of.emissive.x),
+        channel_of(needs, m.diffuse.y, sum.diffuse.y, m.specular.y, sum.specular.y,
+                   ambient_of(needs, of.albedo.y, frame->ambient[1], of.occlusion),
+                   of.emissive.y),
+        channel_of(needs, m.diffuse.z, sum.diffuse.z, m.specular.z, sum.specular.z,
+                   ambient_of(needs, of.albedo.z, frame->ambient[2], of.occlusion),
+                   of.emissive.z)};
+    const mask hit = of.depth < (real)INFINITY;
+    const vec3 radiance = {pick(hit, lit.x, (scalar)frame->sky[0]),
+                           pick(hit, lit.y, (scalar)frame->sky[1]),
+                           pick(hit, lit.z, (scalar)frame->sky[2])};
+    return radiance;
+}
+
+#endif

@@ -1,0 +1,57 @@
+/* Where the surface of a pixel is. */
+#ifndef TL_POSITION_H
+#define TL_POSITION_H
+
+#include "frame.h"
+#include "needs.h"
+#include "vec3.h"
+
+/* The view-space position of pixel (column, row) at `depth`; shading and culling must use the same
+ * bits. One rounding for the ray, one for the product: x/depth is off the exact ray by at most
+ * 2u|ray|, beside what rounding x0 and dx to float leaves (reach.h needs that bound). */
+static inline vec3 view_position(
+    tl_rays rays, tl_needs needs, real column, scalar row, real depth)
+{
+    const real ray_x = FMA(column, rays.dx, rays.x0);
+    const real ray_y = (real)FMA((real)row, rays.dy, rays.y0);
+    if (needs.orthographic) {
+        const vec3 parallel = {ray_x, ray_y, -depth};
+        return parallel;
+    }
+    const vec3 p = {ray_x * depth, ray_y * depth, -depth};
+    return p;
+}
+
+/* The unit vector from a view-space position to the eye. Not a number at the eye itself; the
+ * specular lobe is 0 there. */
+static inline vec3 direction_to_eye(tl_needs needs, vec3 position)
+{
+    if (needs.orthographic) {
+        const vec3 back = {(real)R(0.0), (real)R(0.0), (real)R(1.0)};
+        return back;
+    }
+    const real k = R(-1.0) / SQRT(dot3(position, position));
+    const vec3 v = {position.x * k, position.y * k, position.z * k};
+    return v;
+}
+
+/* A world-space normal of any finite length as a unit vector in view space; 0 stays 0, which no
+ * light reaches. Rotation, squares and division: unit to within 2u. */
+static inline vec3 view_normal(const tl_frame *frame, vec3 world)
+{
+    const vec3 rows[3] = {
+        {(real)frame->view_from_world[0][0], (real)frame->view_from_world[0][1],
+         (real)frame->view_from_world[0][2]},
+        {(real)frame->view_from_world[1][0], (real)frame->view_from_world[1][1],
+         (real)frame->view_from_world[1][2]},
+        {(real)frame->view_from_world[2][0], (real)frame->view_from_world[2][1],
+         (real)frame->view_from_world[2][2]},
+    };
+    const vec3 n = {dot3(rows[0], world), dot3(rows[1], world), dot3(rows[2], world)};
+    const real length2 = dot3(n, n);
+    const real k = pick(length2 > R(0.0), R(1.0) / SQRT(length2), R(0.0));
+    const vec3 unit = {n.x * k, n.y * k, n.z * k};
+    return unit;
+}
+
+#endif

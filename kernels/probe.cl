@@ -1,0 +1,35 @@
+/* Device-side answers to questions the tests ask. Not part of a frame. */
+#include "frame.h"
+
+#define OFFSET(object, member) \
+    ((uint)((__private const char *)&(object).member - (__private const char *)&(object)))
+
+/* sizeof and offsetof as the device compiler sees them, in the order of
+ * tests/test_frame_layout.c. Global size: 1. */
+__kernel void probe_layout(__global uint *out)
+{
+    tl_frame frame;
+    tl_view_light light;
+    uint n = 0;
+    out[n++] = sizeof(tl_frame);
+    out[n++] = OFFSET(frame, rays);
+    out[n++] = OFFSET(frame, view_from_world);
+    out[n++] = OFFSET(frame, ambient);
+    out[n++] = OFFSET(frame, tile_size);
+    out[n++] = OFFSET(frame, sky);
+    out[n++] = OFFSET(frame, cull_depth);
+    out[n++] = OFFSET(frame, pitch);
+    out[n++] = OFFSET(frame, rows);
+    out[n++] = OFFSET(frame, tiles_x);
+    out[n++] = OFFSET(frame, tiles_y);
+    out[n++] = OFFSET(frame, box_pitch);
+    out[n++] = OFFSET(frame, global_count);
+    out[n++] = OFFSET(frame, light_count);
+    out[n++] = sizeof(tl_view_light);
+    out[n++] = OFFSET(light, position);
+    out[n++] = OFFSET(light, range2);
+    out[n++] = OFFSET(light, diffuse);
+    out[n++] = OFFSET(light, fade);
+    out[n++] = OFFSET(light, specular);
+    out[n++] = OFFSET(light, falloff);
+}

@@ -1,0 +1,90 @@
+/* Which tiles a light with a range may reach: the broad phase of culling.
+ *
+ * The rectangle may be too large but never too small. What is in it is decided by reach.h, on
+ * computed positions, so three margins stand between the exact interval of the sphere and the
+ * tiles that are kept (u = 2^-24):
+ *   1. range. Computed d2 < range2 allows an exact distance up to sqrt(range2 (1 + 8u)): six
+ *      roundings in d2. Below 1e-20 m squares vanish, so as much is added.
+ *   2. ray. A computed position has x/depth off its pixel's ray by at most 8u (|left| + |right|):
+ *      2u|ray| in view_position, 2u (|x0| + |dx| width) in rounding x0 and dx.
+ *   3. depth. near and far are the least and the largest computed depth of the frame, not the
+ *      camera's planes. */
+#ifndef TL_TILE_RECT_H
+#define TL_TILE_RECT_H
+
+#include "frame.h"
+#include "sphere_bounds.h"
+
+#ifdef TL_HAS_SPHERE_BOUNDS
+
+#    define TL_RAY_MARGIN 0x1p-21 /* 8u */
+
+/* Tiles [x0, x1) x [y0, y1); empty where x0 >= x1 or y0 >= y1. */
+typedef struct tl_tile_rect {
+    int x0, x1, y0, y1;
+} tl_tile_rect;
+TL_STATIC_ASSERT(sizeof(tl_tile_rect) == 16, tile_rect_is_one_row);
+
+/* What the rectangles of one frame have in common. Edges: x/depth, or m for parallel rays. */
+typedef struct tl_view_window {
+    double left, width, top,
+        height;       /* width of one px to the right, height of one px down (< 0) */
+    double near, far; /* m, of computed positions */
+    double margin_x, margin_y;
+    int orthographic;
+} tl_view_window;
+
+static inline tl_view_window view_window(
+    tl_rays rays, tl_u32 width, tl_u32 height, double near, double far, int orthographic)
+{
+    tl_view_window w;
+    w.width = (double)rays.dx;
+    w.height = (double)rays.dy;
+    w.left = (double)rays.x0 - 0.5 * w.width;
+    w.top = (double)rays.y0 - 0.5 * w.height;
+    w.near = near;
+    w.far = far;
+    w.margin_x = TL_RAY_MARGIN * (fabs(w.left) + fabs(w.left + w.width * (double)width));
+    w.margin_y = TL_RAY_MARGIN * (fabs(w.top) + fabs(w.top + w.height * (double)height));
+    w.orthographic = orthographic;
+    return w;
+}
+
+/* Tiles from the one that holds `low` to the one that holds `high`, cut to [0, count). */
+static inline int tile_at(double px, double tile_size, int count)
+{
+    const double tile = floor(px / tile_size);
+    return tile < 0.0 ? 0 : tile > (double)count ? count : (int)tile;
+}
+
+static inline tl_tile_rect tile_rect_of(tl_view_window w,
+                                        const tl_frame *frame,
+                                        tl_view_light light)
+{
+    const double r = sqrt((double)light.range2 * (1.0 + 0x1p-21)) + 1e-20;
+    const double depth = -(double)light.position[2];
+    const double size = (double)frame->tile_size;
+    const int tiles_x = (int)frame->tiles_x, tiles_y = (int)frame->tiles_y;
+    const tl_interval x =
+        sphere_interval((double)light.position[0], depth, r, w.near, w.far, w.orthographic);
+    const tl_interval y =
+        sphere_interval((double)light.position[1], depth, r, w.near, w.far, w.orthographic);
+    tl_tile_rect rect = {0, 0, 0, 0};
+    if (!(x.low <= x.high) || !(y.low <= y.high))
+        return rect;
+
+    const double x0 = (x.low - w.margin_x - w.left) / w.width;
+    const double x1 = (x.high + w.margin_x - w.left) / w.width;
+    const double y0 = (y.high + w.margin_y - w.top) / w.height;
+    const double y1 = (y.low - w.margin_y - w.top) / w.height;
+    if (x1 < 0.0 || y1 < 0.0)
+        return rect;
+    rect.x0 = tile_at(x0, size, tiles_x);
+    rect.y0 = tile_at(y0, size, tiles_y);
+    rect.x1 = tile_at(x1, size, tiles_x - 1) + 1;
+    rect.y1 = tile_at(y1, size, tiles_y - 1) + 1;
+    return rect;
+}
+
+#endif
+#endif
