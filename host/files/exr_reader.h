@@ -1,0 +1,55 @@
+/* Reads channels of the first part of a scanline OpenEXR file as float planes, on all threads. */
+#ifndef TL_EXR_READER_H
+#define TL_EXR_READER_H
+
+#include "exr_stream.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* Must not move while it is open. All zero is valid to close. */
+typedef struct tl_exr_reader {
+    bool is_open;
+    tl_exr_stream stream;
+    uint64_t file_size;                /* bytes */
+    uint32_t width, height;            /* px */
+    int lines;                         /* per chunk */
+    const exr_attr_chlist_t *channels; /* the context's, sorted by name */
+    uint64_t pixel_size;               /* bytes per pixel, all channels */
+} tl_exr_reader;
+
+/* A channel and where it goes. */
+typedef struct tl_exr_target {
+    const char *channel;
+    float *plane; /* [height][pitch] */
+} tl_exr_target;
+
+/* Opens the file and checks storage kind, windows, extents, channel list, compression, and that
+ * the file is large enough for what its header promises. path is kept, not copied. Fails with
+ * TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED or TL_ERR_MEMORY. */
+tl_status tl_exr_reader_open(tl_exr_reader *reader, const char *path, tl_error *err);
+
+void tl_exr_reader_close(tl_exr_reader *reader);
+
+bool tl_exr_reader_has_channel(const tl_exr_reader *reader, const char *name);
+
+/* Fails with TL_ERR_FORMAT for a channel that is absent or holds whole numbers. */
+tl_status tl_exr_reader_require(const tl_exr_reader *reader,
+                                const char *channel,
+                                tl_error *err);
+
+bool tl_exr_reader_has_attribute(const tl_exr_reader *reader, const char *name);
+
+/* Fails with TL_ERR_FORMAT where planes of `size` bytes in all would be out of proportion to the
+ * file, so that a header of some bytes cannot take a machine's memory. */
+tl_status tl_exr_reader_check_size(const tl_exr_reader *reader, uint64_t size, tl_error *err);
+
+/* Reads the targets' channels, which have passed tl_exr_reader_require. Fails as open does. */
+tl_status tl_exr_reader_pixels(tl_exr_reader *reader,
+                               const tl_exr_target *targets,
+                               size_t target_count,
+                               size_t pitch,
+                               tl_error *err);
+
+#endif

@@ -1,0 +1,58 @@
+/* Writes planes as one scanline part of an OpenEXR file, on all threads, atomically.
+ *
+ *     tl_exr_writer_begin, attributes through writer.stream.context (part 0),
+ *     tl_exr_writer_pixels, tl_exr_writer_commit; tl_exr_writer_abandon whatever happened */
+#ifndef TL_EXR_WRITER_H
+#define TL_EXR_WRITER_H
+
+#include "atomic_file.h"
+#include "exr_stream.h"
+
+#include <stddef.h>
+
+enum { TL_EXR_MAX_COMPUTED = 4 };
+
+/* A channel comes from memory, or is computed as the file is written. */
+typedef struct tl_exr_channel {
+    const char *name;
+    exr_pixel_type_t type; /* in the file; floats are converted */
+    const float *plane;    /* [height][pitch]; NULL: the next of the computed ones */
+} tl_exr_channel;
+
+typedef struct tl_exr_picture {
+    uint32_t width, height; /* px */
+    size_t pitch;           /* floats from row to row of every plane */
+    size_t channel_count;
+    const tl_exr_channel *channels;
+    /* Fills one row of the computed channels, in the order of `channels`; called on any thread.
+     * rows[i] is float [width]. NULL where every channel has a plane. */
+    void (*compute)(const void *context, uint32_t y, float *const rows[TL_EXR_MAX_COMPUTED]);
+    const void *context;
+} tl_exr_picture;
+
+/* Must not move between begin and commit or abandon. All zero is valid to abandon. */
+typedef struct tl_exr_writer {
+    tl_atomic_file file;
+    tl_exr_stream stream;
+} tl_exr_writer;
+
+/* Display and data window are (0, 0) to (width - 1, height - 1). path is kept, not copied. Fails
+ * with TL_ERR_WRITE or TL_ERR_MEMORY, as all of these. */
+tl_status tl_exr_writer_begin(tl_exr_writer *writer,
+                              const char *path,
+                              uint32_t width,
+                              uint32_t height,
+                              exr_compression_t compression,
+                              tl_error *err);
+
+/* Writes the header, then the pixels: the same bytes whatever the number of threads. */
+tl_status tl_exr_writer_pixels(tl_exr_writer *writer,
+                               const tl_exr_picture *picture,
+                               tl_error *err);
+
+tl_status tl_exr_writer_commit(tl_exr_writer *writer, tl_error *err);
+
+/* Leaves nothing behind. Does nothing after a commit. */
+void tl_exr_writer_abandon(tl_exr_writer *writer);
+
+#endif

@@ -1,0 +1,53 @@
+#include "image_exr.h"
+
+#include "exr_reader.h"
+#include "exr_writer.h"
+#include "try.h"
+
+static const char *const channel_names[3] = {"R", "G", "B"};
+
+tl_status tl_image_write_exr(const char *path, const tl_image *image, int half, tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_exr_writer writer = {.stream.context = NULL};
+    tl_exr_channel channels[3];
+    const tl_exr_picture picture = {.width = image->width,
+                                    .height = image->height,
+                                    .pitch = image->pitch,
+                                    .channel_count = 3,
+                                    .channels = channels};
+    for (unsigned c = 0; c < 3; c++)
+        channels[c] = (tl_exr_channel){.name = channel_names[c],
+                                       .type = half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT,
+                                       .plane = tl_image_plane(image, c)};
+    TRY(tl_exr_writer_begin(&writer, path, image->width, image->height,
+                            half ? EXR_COMPRESSION_ZIP : EXR_COMPRESSION_NONE, err));
+    TRY(tl_exr_writer_pixels(&writer, &picture, err));
+    TRY(tl_exr_writer_commit(&writer, err));
+done:
+    tl_exr_writer_abandon(&writer);
+    return status;
+}
+
+tl_status tl_image_read_exr(const char *path, tl_image **out, tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_exr_reader reader = {.is_open = false};
+    tl_image *made = NULL;
+    tl_exr_target targets[3];
+    TRY(tl_exr_reader_open(&reader, path, err));
+    for (unsigned c = 0; c < 3; c++)
+        TRY(tl_exr_reader_require(&reader, channel_names[c], err));
+    TRY(tl_exr_reader_check_size(&reader, (uint64_t)3 * reader.width * reader.height * 4, err));
+    TRY(tl_image_create(reader.width, reader.height, &made, err));
+    for (unsigned c = 0; c < 3; c++)
+        targets[c] =
+            (tl_exr_target){.channel = channel_names[c], .plane = tl_image_plane(made, c)};
+    TRY(tl_exr_reader_pixels(&reader, targets, 3, made->pitch, err));
+    *out = made;
+    made = NULL;
+done:
+    tl_image_destroy(made);
+    tl_exr_reader_close(&reader);
+    return status;
+}

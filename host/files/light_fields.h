@@ -1,0 +1,37 @@
+/* The fields of a light in a lights file: one table for reading and writing. */
+#ifndef TL_LIGHT_FIELDS_H
+#define TL_LIGHT_FIELDS_H
+
+#include "tilelight/lights.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Both reading and writing hold the text in memory, reading as a tree some 20 times its size. */
+#define TL_LIGHTS_TEXT_LIMIT ((size_t)64 << 20) /* bytes */
+
+typedef enum tl_field_kind {
+    TL_FIELD_NUMBER,  /* float */
+    TL_FIELD_VECTOR,  /* float [3] */
+    TL_FIELD_UNIT,    /* float [3] of length 1 */
+    TL_FIELD_FALLOFF, /* tl_falloff, as its word */
+    TL_FIELD_NAME     /* char [64] */
+} tl_field_kind;
+
+typedef struct tl_light_field {
+    const char *name;
+    tl_field_kind kind;
+    size_t offset;    /* in tl_light */
+    unsigned types;   /* bit t: lights of type t may have it */
+    bool is_required; /* by those types; else tl_light_default has the default */
+} tl_light_field;
+
+enum { TL_LIGHT_FIELD_COUNT = 11 };
+
+/* `type` itself is not among them: it decides which of them apply. */
+extern const tl_light_field tl_light_fields[TL_LIGHT_FIELD_COUNT];
+
+extern const char *const tl_light_type_words[TL_LIGHT_TYPE_COUNT];
+extern const char *const tl_falloff_words[TL_FALLOFF_COUNT];
+
+#endif

@@ -1,0 +1,137 @@
+#define _POSIX_C_SOURCE 200809L
+#include "tilelight/lights.h"
+
+#include "light_fields.h"
+#include "whole_file.h"
+
+#include <jansson.h>
+#include <locale.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The fewest digits that read back as the same float; nine always do. */
+static void print_number(FILE *out, float value)
+{
+    char text[32];
+    int digits = 1;
+    do
+        snprintf(text, sizeof text, "%.*g", digits, (double)value);
+    while (digits++ < 9 && strtof(text, NULL) != value);
+    /* JSON's readers may take -0 for the whole number 0, which has no sign. */
+    fputs(strcmp(text, "-0") == 0 ? "-0.0" : text, out);
+}
+
+static void print_vector(FILE *out, const float value[3])
+{
+    for (int i = 0; i < 3; i++) {
+        fputs(i == 0 ? "[" : ", ", out);
+        print_number(out, value[i]);
+    }
+    fputc(']', out);
+}
+
+/* A name may be cut within a character, which JSON cannot hold: its longest valid start is. */
+static void print_name(FILE *out, const char *name)
+{
+    json_t *string = NULL;
+    for (size_t length = strlen(name) + 1; length > 0 && !string; length--)
+        string = json_stringn(name, length - 1);
+    char *quoted = string ? json_dumps(string, JSON_ENCODE_ANY) : NULL;
+    fputs(quoted ? quoted : "\"\"", out);
+    free(quoted);
+    json_decref(string);
+}
+
+static void print_field(FILE *out, const tl_light_field *field, const tl_light *light)
+{
+    const char *at = (const char *)light + field->offset;
+    fprintf(out, ", \"%s\": ", field->name);
+    if (field->kind == TL_FIELD_NUMBER)
+        print_number(out, *(const float *)(const void *)at);
+    else if (field->kind == TL_FIELD_NAME)
+        print_name(out, at);
+    else if (field->kind == TL_FIELD_FALLOFF)
+        fprintf(out, "\"%s\"", tl_falloff_words[*(const tl_falloff *)(const void *)at]);
+    else
+        print_vector(out, (const float *)(const void *)at);
+}
+
+static size_t field_size(tl_field_kind kind)
+{
+    static const size_t sizes[] = {
+        [TL_FIELD_NUMBER] = sizeof(float),
+        [TL_FIELD_VECTOR] = 3 * sizeof(float),
+        [TL_FIELD_UNIT] = 3 * sizeof(float),
+        [TL_FIELD_FALLOFF] = sizeof(tl_falloff),
+        [TL_FIELD_NAME] = 1, /* empty or not */
+    };
+    return sizes[kind];
+}
+
+/* Fields that hold their default, bit for bit, are left out: a range of infinity among them, which
+ * JSON could not say. */
+static void print_light(FILE *out, const tl_light *light)
+{
+    const tl_light standard = tl_light_default();
+    fprintf(out, "    { \"type\": \"%s\"", tl_light_type_words[light->type]);
+    for (size_t i = 0; i < TL_LIGHT_FIELD_COUNT; i++) {
+        const tl_light_field *field = &tl_light_fields[i];
+        const int differs =
+            memcmp((const char *)light + field->offset, (const char *)&standard + field->offset,
+                   field_size(field->kind)) != 0;
+        if ((field->types >> light->type & 1) && (field->is_required || differs))
+            print_field(out, field, light);
+    }
+    fputs(" }", out);
+}
+
+static void print_set(FILE *out, const tl_light_set *set)
+{
+    fputs("{ \"tilelight\": 1,\n  \"ambient\": ", out);
+    print_vector(out, set->ambient);
+    fputs(",\n  \"sky\": { \"type\": \"constant\", \"color\": ", out);
+    print_vector(out, set->sky);
+    fputs(" },\n  \"lights\": [", out);
+    for (size_t i = 0; i < set->count; i++) {
+        fputs(i == 0 ? "\n" : ",\n", out);
+        print_light(out, &set->lights[i]);
+    }
+    fputs(set->count > 0 ? "\n  ] }\n" : "] }\n", out);
+}
+
+tl_status tl_lights_format(const tl_light_set *set, char **out, tl_error *err)
+{
+    char *text = NULL;
+    size_t size = 0;
+    /* A host program may have set a locale that writes decimal commas. */
+    const locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    FILE *stream = plain ? open_memstream(&text, &size) : NULL;
+    int failed = !stream;
+    if (stream) {
+        const locale_t before = uselocale(plain);
+        print_set(stream, set);
+        uselocale(before);
+        failed = ferror(stream);
+        failed = fclose(stream) != 0 || failed;
+    }
+    if (plain)
+        freelocale(plain);
+    if (failed) {
+        free(text);
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for the text of %zu lights",
+                       set->count);
+    }
+    *out = text;
+    return TL_OK;
+}
+
+tl_status tl_lights_write(const char *path, const tl_light_set *set, tl_error *err)
+{
+    char *text = NULL;
+    tl_status status = tl_lights_format(set, &text, err);
+    if (status == TL_OK)
+        status = tl_whole_file_write(path, text, strlen(text), err);
+    free(text);
+    return status;
+}
