@@ -15,23 +15,23 @@ enum { LOW_X, LOW_Y, LOW_Z, HIGH_X, HIGH_Y, HIGH_Z };
 #define MIN_HALVES(v) min((v).lo, (v).hi)
 #define MAX_HALVES(v) max((v).lo, (v).hi)
 
-static inline box cube(scalar low, scalar high)
+TL_INLINE box cube(scalar low, scalar high)
 {
     const box b = {{low, low, low}, {high, high, high}};
     return b;
 }
 
-static inline void include(real *low, real *high, mask covered, real value)
+TL_INLINE void include(real *low, real *high, mask covered, real value)
 {
     *low = pick(covered & (value < *low), value, *low);
     *high = pick(covered & (value > *high), value, *high);
 }
 
 /* One box per lane; together they hold every position shade_tiles will compute in the tile. */
-static box boxes_of_tile(const tl_frame *frame,
-                         __global const float *depths,
-                         uint column0,
-                         uint row0)
+TL_INLINE box boxes_of_tile(const tl_frame *frame,
+                            __global const float *depths,
+                            uint column0,
+                            uint row0)
 {
     const tl_needs needs = needs_of_build();
     box b = cube(INFINITY, -INFINITY);
@@ -83,7 +83,7 @@ __kernel void bound_rows(const tl_frame frame,
 }
 
 /* Appends light i to the lists of the tiles in `met`; counts only where there is no list. */
-static void append(mask met, __global uint *end, __global uint *list, uint i)
+TL_INLINE void append(mask met, __global uint *end, __global uint *list, uint i)
 {
     int met_by[TL_WIDTH];
     STORE_MASK(met, met_by);

@@ -23,6 +23,14 @@
 #ifndef TL_DIALECT_H
 #define TL_DIALECT_H
 
+/* A call between kernel functions would pass vectors through memory: all are inlined, whatever the
+ * compiler thinks of their size (x 2 on PoCL). */
+#ifdef __OPENCL_C_VERSION__
+#    define TL_INLINE static inline __attribute__((always_inline))
+#else
+#    define TL_INLINE static inline
+#endif
+
 /* C11 has _Static_assert, OpenCL C 1.2 has not; a negative array length stops both. */
 #define TL_STATIC_ASSERT(condition, name) typedef char tl_assert_##name[(condition) ? 1 : -1]
 
@@ -83,7 +91,7 @@ typedef int mask;
 /* Not any(): that of a scalar looks at the sign bit, which a true scalar comparison leaves 0,
  * and that of an int16 is slower on PoCL than this tree. */
 #    define OR_HALVES(v) ((v).lo | (v).hi)
-static inline int any_lane(mask which)
+TL_INLINE int any_lane(mask which)
 {
     return FOLD(OR_HALVES, which) != 0;
 }
@@ -133,19 +141,19 @@ typedef int mask;
 #    define TO_INTEGER(x) ((integer)(x))
 #    define pick(which, a, b) ((which) ? (a) : (b))
 
-static inline int any_lane(mask which)
+TL_INLINE int any_lane(mask which)
 {
     return which;
 }
 
-static inline integer AS_INTEGER(real x)
+TL_INLINE integer AS_INTEGER(real x)
 {
     integer i;
     memcpy(&i, &x, sizeof i);
     return i;
 }
 
-static inline real AS_REAL(integer i)
+TL_INLINE real AS_REAL(integer i)
 {
     real x;
     memcpy(&x, &i, sizeof x);

@@ -18,7 +18,7 @@ enum tl_falloff_row { TL_FADE_LINEAR, TL_FADE_INVERSE_SQUARE, TL_FADE_NONE, TL_F
 #define TL_MOST_PER_DISTANCE2 R(1e4) /* 1/m^2: of the nearest distance, 1 cm */
 
 /* fade: 1/range. Error at most 2u (two roundings of values up to 1). */
-static inline real fade_linear(real distance, scalar fade)
+TL_INLINE real fade_linear(real distance, scalar fade)
 {
     const real weight = FMA(-distance, fade, R(1.0));
     return pick(weight > R(0.0), weight, R(0.0));
@@ -26,7 +26,7 @@ static inline real fade_linear(real distance, scalar fade)
 
 /* fade: 1/range^2, 0 without a range. per_distance: 1/d. The window is off by 4u absolute, the
  * quotient by 6u of itself. */
-static inline real fade_inverse_square(real distance2, real per_distance, scalar fade)
+TL_INLINE real fade_inverse_square(real distance2, real per_distance, scalar fade)
 {
     const real share = distance2 * fade;
     const real window = FMA(-share, share, R(1.0));

@@ -18,7 +18,7 @@ typedef struct phong_material {
     real shininess;         /* Blinn-Phong exponent, 0 to 10000 */
 } phong_material;
 
-static inline phong_material phong_of_metal_rough(vec3 base, real metallic, real roughness)
+TL_INLINE phong_material phong_of_metal_rough(vec3 base, real metallic, real roughness)
 {
     const real dielectric = R(1.0) - metallic;
     const real alpha = roughness * roughness;

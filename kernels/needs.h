@@ -13,7 +13,7 @@ typedef struct tl_needs {
 } tl_needs;
 
 #ifdef __OPENCL_C_VERSION__
-static inline tl_needs needs_of_build(void)
+TL_INLINE tl_needs needs_of_build(void)
 {
     const tl_needs needs = {TL_PRESENT, TL_FALLOFFS_USED, TL_SPECULAR, TL_ORTHOGRAPHIC};
     return needs;

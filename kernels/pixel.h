@@ -13,7 +13,7 @@ typedef struct pixel {
     real shininess, metallic, roughness, occlusion;
 } pixel;
 
-static inline phong_material material_of(tl_needs needs, pixel of)
+TL_INLINE phong_material material_of(tl_needs needs, pixel of)
 {
     if (needs.present & TL_GROUP_METAL_ROUGH)
         return phong_of_metal_rough(of.albedo, of.metallic, of.roughness);
@@ -21,7 +21,7 @@ static inline phong_material material_of(tl_needs needs, pixel of)
     return m;
 }
 
-static inline surface surface_of(
+TL_INLINE surface surface_of(
     const tl_frame *frame, tl_needs needs, pixel of, real shininess, real column, scalar row)
 {
     surface s;
@@ -36,13 +36,13 @@ static inline surface surface_of(
 
 /* Radiance of one channel. Ambient light multiplies the albedo plane, not the diffuse colour, so
  * that metals answer to it too. */
-static inline real channel_of(tl_needs needs,
-                              real diffuse,
-                              real diffuse_light,
-                              real specular,
-                              real specular_light,
-                              real ambient_light,
-                              real emissive)
+TL_INLINE real channel_of(tl_needs needs,
+                          real diffuse,
+                          real diffuse_light,
+                          real specular,
+                          real specular_light,
+                          real ambient_light,
+                          real emissive)
 {
     real radiance = diffuse * diffuse_light;
     if (needs.specular)
@@ -53,7 +53,7 @@ static inline real channel_of(tl_needs needs,
     return radiance;
 }
 
-static inline real ambient_of(tl_needs needs, real albedo, scalar ambient, real occlusion)
+TL_INLINE real ambient_of(tl_needs needs, real albedo, scalar ambient, real occlusion)
 {
     const real light = albedo * ambient;
     if (needs.present & TL_GROUP_OCCLUSION)
@@ -62,8 +62,8 @@ static inline real ambient_of(tl_needs needs, real albedo, scalar ambient, real 
 }
 
 /* What leaves a pixel towards the eye; the sky's radiance where nothing was hit. */
-static inline vec3 radiance_of(
-    const tl_frame *frame, tl_needs needs, pixel of, phong_material m, received sum)
+TL_INLINE vec3
+radiance_of(const tl_frame *frame, tl_needs needs, pixel of, phong_material m, received sum)
 {
     const vec3 lit = {
         channel_of(needs, m.diffuse.x, sum.diffuse.x, m.specular.x, sum.specular.x,

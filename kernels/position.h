@@ -9,8 +9,7 @@
 /* The view-space position of pixel (column, row) at `depth`; shading and culling must use the same
  * bits. One rounding for the ray, one for the product: x/depth is off the exact ray by at most
  * 2u|ray|, beside what rounding x0 and dx to float leaves (reach.h needs that bound). */
-static inline vec3 view_position(
-    tl_rays rays, tl_needs needs, real column, scalar row, real depth)
+TL_INLINE vec3 view_position(tl_rays rays, tl_needs needs, real column, scalar row, real depth)
 {
     const real ray_x = FMA(column, rays.dx, rays.x0);
     const real ray_y = (real)FMA((real)row, rays.dy, rays.y0);
@@ -24,7 +23,7 @@ static inline vec3 view_position(
 
 /* The unit vector from a view-space position to the eye. Not a number at the eye itself; the
  * specular lobe is 0 there. */
-static inline vec3 direction_to_eye(tl_needs needs, vec3 position)
+TL_INLINE vec3 direction_to_eye(tl_needs needs, vec3 position)
 {
     if (needs.orthographic) {
         const vec3 back = {(real)R(0.0), (real)R(0.0), (real)R(1.0)};
@@ -37,7 +36,7 @@ static inline vec3 direction_to_eye(tl_needs needs, vec3 position)
 
 /* A world-space normal of any finite length as a unit vector in view space; 0 stays 0, which no
  * light reaches. Rotation, squares and division: unit to within 2u. */
-static inline vec3 view_normal(const tl_frame *frame, vec3 world)
+TL_INLINE vec3 view_normal(const tl_frame *frame, vec3 world)
 {
     const vec3 rows[3] = {
         {(real)frame->view_from_world[0][0], (real)frame->view_from_world[0][1],

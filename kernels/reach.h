@@ -23,24 +23,24 @@ typedef struct box {
     vec3 low, high; /* m, view space; low > high where empty, which no light reaches */
 } box;
 
-static inline vec3 vector_to_light(vec3 from, tl_view_light light)
+TL_INLINE vec3 vector_to_light(vec3 from, tl_view_light light)
 {
     const vec3 v = {light.position[0] - from.x, light.position[1] - from.y,
                     light.position[2] - from.z};
     return v;
 }
 
-static inline mask reaches(tl_view_light light, real distance2)
+TL_INLINE mask reaches(tl_view_light light, real distance2)
 {
     return distance2 < light.range2;
 }
 
-static inline real clamp_to(real low, real high, scalar at)
+TL_INLINE real clamp_to(real low, real high, scalar at)
 {
     return pick(at < low, low, pick(at > high, high, at));
 }
 
-static inline mask reaches_box(tl_view_light light, box of)
+TL_INLINE mask reaches_box(tl_view_light light, box of)
 {
     const vec3 nearest = {clamp_to(of.low.x, of.high.x, light.position[0]),
                           clamp_to(of.low.y, of.high.y, light.position[1]),

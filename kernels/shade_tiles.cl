@@ -11,7 +11,7 @@
     ((TL_PRESENT & (group)) ? LOAD_PLANE(plane) : (real)(otherwise))
 
 /* in: the pixel's first plane; planes are plane_size floats apart. */
-static pixel load_pixel(__global const float *in, size_t plane_size)
+TL_INLINE pixel load_pixel(__global const float *in, size_t plane_size)
 {
     pixel p;
     p.depth = LOAD_PLANE(TL_DEPTH);

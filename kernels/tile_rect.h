@@ -34,7 +34,7 @@ typedef struct tl_view_window {
     int orthographic;
 } tl_view_window;
 
-static inline tl_view_window view_window(
+TL_INLINE tl_view_window view_window(
     tl_rays rays, tl_u32 width, tl_u32 height, double near, double far, int orthographic)
 {
     tl_view_window w;
@@ -51,15 +51,15 @@ static inline tl_view_window view_window(
 }
 
 /* Tiles from the one that holds `low` to the one that holds `high`, cut to [0, count). */
-static inline int tile_at(double px, double tile_size, int count)
+TL_INLINE int tile_at(double px, double tile_size, int count)
 {
     const double tile = floor(px / tile_size);
     return tile < 0.0 ? 0 : tile > (double)count ? count : (int)tile;
 }
 
-static inline tl_tile_rect tile_rect_of(tl_view_window w,
-                                        const tl_frame *frame,
-                                        tl_view_light light)
+TL_INLINE tl_tile_rect tile_rect_of(tl_view_window w,
+                                    const tl_frame *frame,
+                                    tl_view_light light)
 {
     const double r = sqrt((double)light.range2 * (1.0 + 0x1p-21)) + 1e-20;
     const double depth = -(double)light.position[2];
