@@ -29,44 +29,41 @@ static preview preview_of(const tl_gbuffer *gbuffer)
     return made;
 }
 
-/* The unit vector from a pixel's surface to the camera, in world space. */
-static void towards_camera(const tl_camera *camera, float x, float y, float out[3])
-{
-    const int is_perspective = camera->projection == TL_PERSPECTIVE;
-    const float view[3] = {is_perspective ? -x : 0.0f, is_perspective ? -y : 0.0f, 1.0f};
-    const float scale = 1.0f / sqrtf(view[0] * view[0] + view[1] * view[1] + 1.0f);
-    for (int i = 0; i < 3; i++)
-        out[i] = scale * (camera->view_from_world[0][i] * view[0] +
-                          camera->view_from_world[1][i] * view[1] +
-                          camera->view_from_world[2][i] * view[2]);
-}
-
-/* The frame under a lamp at the camera: albedo |N.V| + emissive; alpha says what is covered. */
+/* The frame under a lamp at the camera: albedo |N.V| + emissive; alpha says what is covered. V is
+ * turned into world space by parts: what a row shares, and what grows with x. */
 static void compute_preview(const void *context, uint32_t y, float *const rows[PREVIEW_COUNT])
 {
     const preview *from = context;
     const tl_gbuffer *gbuffer = from->gbuffer;
     const tl_camera *camera = &gbuffer->camera;
     const size_t first = (size_t)y * gbuffer->pitch;
-    const float x_step = (camera->right - camera->left) / (float)camera->width;
-    const float y_step = (camera->top - camera->bottom) / (float)camera->height;
-    const float view_y = camera->top - ((float)y + 0.5f) * y_step;
+    const float slope = camera->projection == TL_PERSPECTIVE ? 1.0f : 0.0f;
+    const float x_step = slope * (camera->right - camera->left) / (float)camera->width;
+    const float y_step = slope * (camera->top - camera->bottom) / (float)camera->height;
+    const float view_y = slope * camera->top - ((float)y + 0.5f) * y_step;
+    const float *right = camera->view_from_world[0];
+    float in_row[3];
+    for (int i = 0; i < 3; i++)
+        in_row[i] = camera->view_from_world[2][i] - view_y * camera->view_from_world[1][i];
 
     for (uint32_t x = 0; x < camera->width; x++) {
         const size_t i = first + x;
-        const float covered = from->depth[i] < INFINITY ? 1.0f : 0.0f;
-        float to_camera[3];
-        towards_camera(camera, camera->left + ((float)x + 0.5f) * x_step, view_y, to_camera);
-        const float cosine =
-            fabsf(from->normal[0][i] * to_camera[0] + from->normal[1][i] * to_camera[1] +
-                  from->normal[2][i] * to_camera[2]);
-        for (int c = 0; c < 3; c++) {
-            const float sent = from->emissive[c] ? from->emissive[c][i] : 0.0f;
-            const float value = from->albedo[c][i] * cosine + sent;
-            rows[c][x] = covered > 0.0f ? fminf(value, largest_half) : 0.0f;
-        }
-        rows[3][x] = covered;
+        const float view_x = slope * camera->left + ((float)x + 0.5f) * x_step;
+        const float cosine = from->normal[0][i] * (in_row[0] - view_x * right[0]) +
+                             from->normal[1][i] * (in_row[1] - view_x * right[1]) +
+                             from->normal[2][i] * (in_row[2] - view_x * right[2]);
+        rows[3][x] = fabsf(cosine) / sqrtf(view_x * view_x + view_y * view_y + 1.0f);
     }
+    for (int c = 0; c < 3; c++)
+        for (uint32_t x = 0; x < camera->width; x++) {
+            const size_t i = first + x;
+            const float sent = from->emissive[c] ? from->emissive[c][i] : 0.0f;
+            const float value = from->albedo[c][i] * rows[3][x] + sent;
+            const float kept = value < largest_half ? value : largest_half;
+            rows[c][x] = from->depth[i] < INFINITY ? kept : 0.0f;
+        }
+    for (uint32_t x = 0; x < camera->width; x++)
+        rows[3][x] = from->depth[first + x] < INFINITY ? 1.0f : 0.0f;
 }
 
 static tl_status set_attributes(tl_exr_stream *stream,

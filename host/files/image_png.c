@@ -14,8 +14,9 @@
 /* A picture of 16384 x 16384 in 16-bit RGBA is 2 GiB before compression; files are read whole. */
 static const size_t largest_file = (size_t)2 << 30;
 
-/* Together they cost a third of the library's defaults for 14 % more bytes on a rendered frame. */
-enum { ZLIB_LEVEL = 1, FILTERS = SPNG_FILTER_CHOICE_SUB };
+/* A rendered frame of 1920 x 1080 took 100 ms and 1.44 MB; the library's defaults, which try every
+ * filter at level 6, 530 ms and 1.04 MB. A photograph: 131 ms, 3.08 MB; 1271 ms, 2.91 MB. */
+enum { ZLIB_LEVEL = 2, FILTERS = SPNG_FILTER_CHOICE_SUB };
 
 /* The library's numbers are no statuses of ours. */
 static tl_status check(int code, const char *path, tl_status otherwise, tl_error *err)

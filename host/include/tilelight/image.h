@@ -42,17 +42,20 @@ typedef enum tl_tone {
         TL_TONE_COUNT
 } tl_tone;
 
-/* The exposure in stops that brings the picture's log-average luminance to 0.18. Black pixels are
- * left out; 0 for a black picture. */
+/* The exposure in stops that brings the picture's log-average luminance to 0.18. Pixels that are
+ * black, negative or not finite are left out; 0 where none remains. The same on any number of
+ * threads. */
 float tl_image_auto_exposure(const tl_image *image);
 
 /* 8-bit RGB, no alpha: radiance times 2^exposure, tone curve, sRGB (IEC 61966-2-1), rounded to
- * nearest. rgb is [height][width][3]. On all threads. Cannot fail. */
+ * nearest: exactly what these formulas give in double, for every float. NaN and negative radiance
+ * are black, infinity is white. exposure is finite. rgb is [height][width][3]. On all threads.
+ * Cannot fail. */
 void tl_image_to_srgb8(const tl_image *image, float exposure, tl_tone tone, uint8_t *rgb);
 
 /* Atomic writers, as tl_gbuffer_write. OpenEXR: channels R, G, B, linear; half is zip-compressed
- * at a low level, float too. Fail with TL_ERR_WRITE or TL_ERR_MEMORY. "-" writes a PNG to standard
- * output. */
+ * at a low level, float is not compressed: zip takes some 80 times the processor time for 43 % fewer bytes.
+ * Fail with TL_ERR_WRITE or TL_ERR_MEMORY. "-" writes a PNG to standard output. */
 tl_status tl_image_write_exr(const char *path, const tl_image *image, int half, tl_error *err);
 tl_status tl_png_write(
     const char *path, const uint8_t *rgb, uint32_t width, uint32_t height, tl_error *err);
