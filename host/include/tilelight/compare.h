@@ -16,7 +16,7 @@ typedef struct tl_difference {
     double psnr;               /* dB against b's largest value; INFINITY when equal */
     uint64_t different_count;  /* values whose bits differ */
     uint64_t not_finite_count; /* values NaN or infinite in either; they count as INFINITY */
-    uint32_t worst_x, worst_y, worst_channel;
+    uint32_t worst_x, worst_y, worst_channel; /* the first of the largest, row by row */
     float worst_a, worst_b;
 } tl_difference;
 

@@ -9,8 +9,10 @@
 extern "C" {
 #endif
 
+enum { TL_MAX_SCATTERED = 1000000 };
+
 typedef struct tl_scatter_options {
-    uint32_t count;
+    uint32_t count; /* 1 to TL_MAX_SCATTERED */
     uint32_t seed;
     float overlap; /* lights that reach a visible pixel on average; sets the range */
     float range;   /* m; 0: from overlap */

@@ -1,0 +1,203 @@
+/* From radiance to 8 bits: exposure, tone curve, sRGB, rounding.
+ *
+ * All four are monotone, so the whole way is 255 thresholds: the least radiance that comes out as
+ * 1, as 2, ... as 255. They are found once per picture, by bisecting over floats with the formulas
+ * in double; a pixel then only counts the thresholds it reaches. That is exact, in the sense that
+ * every float gets the 8-bit value nearest to the formulas' in double, and no curve is evaluated
+ * per pixel. */
+#include "parallel.h"
+#include "tilelight/camera.h"
+#include "tilelight/image.h"
+
+#include <math.h>
+#include <string.h>
+
+enum {
+    CODES = 256,
+    BUCKET_SHIFT = 16,                          /* exponent and 7 bits of mantissa are left */
+    BUCKETS = (0x7f800000 >> BUCKET_SHIFT) + 1, /* of 0 to infinity */
+    ROWS_PER_SUM = 16,
+    MOST_SUMS = TL_MAX_EXTENT / ROWS_PER_SUM
+};
+
+/* 2^300 times the largest float and its square are still far inside double. */
+static const double most_exposure = 300.0;
+
+/* K. Narkowicz, "ACES Filmic Tone Mapping Curve", 2016: x (2.51 x + 0.03) / (x (2.43 x + 0.59) +
+ * 0.14). It passes 1 at x = 7.24 and is cut there; cutting x first keeps x^2 finite. */
+static double tone_aces(double x)
+{
+    const double cut = fmin(x, 8.0);
+    const double y = cut * (2.51 * cut + 0.03) / (cut * (2.43 * cut + 0.59) + 0.14);
+    return fmin(y, 1.0);
+}
+
+/* E. Reinhard et al., "Photographic Tone Reproduction for Digital Images", SIGGRAPH 2002,
+ * equation 3. */
+static double tone_reinhard(double x)
+{
+    return x / (1.0 + x);
+}
+
+static double tone_none(double x)
+{
+    return fmin(x, 1.0);
+}
+
+/* Rising on [0, infinity). */
+static double (*const curves[TL_TONE_COUNT])(double) = {
+    [TL_TONE_ACES] = tone_aces,
+    [TL_TONE_REINHARD] = tone_reinhard,
+    [TL_TONE_NONE] = tone_none,
+};
+
+/* IEC 61966-2-1, from the encoded value to the linear one. */
+static double linear_from_srgb(double encoded)
+{
+    return encoded <= 0.04045 ? encoded / 12.92 : pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+static float float_of_bits(uint32_t bits)
+{
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+static uint32_t bits_of_float(float value)
+{
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
+
+/* The way from radiance to a code. */
+typedef struct encoder {
+    float thresholds[CODES + 1]; /* [code]: the least radiance of that code; [256] is reached by
+                                  * nothing: NaN */
+    uint8_t first[BUCKETS];      /* the code of the least float of each bucket */
+} encoder;
+
+/* The least float from `least` on that comes out as `code` or above; infinity if none does.
+ * Non-negative floats are ordered as their bits are. */
+static float find_threshold(unsigned code, double scale, double (*curve)(double), float least)
+{
+    const double wanted = linear_from_srgb(((double)code - 0.5) / 255.0);
+    uint32_t low = bits_of_float(least), high = bits_of_float(INFINITY);
+    while (low < high) {
+        const uint32_t middle = low + (high - low) / 2;
+        if (curve((double)float_of_bits(middle) * scale) >= wanted)
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    return float_of_bits(low);
+}
+
+static unsigned count_from(const encoder *e, unsigned code, float radiance)
+{
+    while (radiance >= e->thresholds[code + 1])
+        code++;
+    return code;
+}
+
+static void encoder_prepare(encoder *e, float exposure, tl_tone tone)
+{
+    const double stops = fmax(-most_exposure, fmin(most_exposure, (double)exposure));
+    const double scale = exp2(stops);
+    unsigned code = 0;
+    e->thresholds[0] = 0.0f;
+    for (unsigned i = 1; i < CODES; i++)
+        e->thresholds[i] = find_threshold(i, scale, curves[tone], e->thresholds[i - 1]);
+    e->thresholds[CODES] = NAN;
+    for (uint32_t bucket = 0; bucket < BUCKETS; bucket++) {
+        code = count_from(e, code, float_of_bits(bucket << BUCKET_SHIFT));
+        e->first[bucket] = (uint8_t)code;
+    }
+}
+
+/* Black for what is not above 0, NaN included; white for infinity. */
+static uint8_t encode(const encoder *e, float radiance)
+{
+    const uint32_t bits = radiance > 0.0f ? bits_of_float(radiance) : 0;
+    return (uint8_t)count_from(e, e->first[bits >> BUCKET_SHIFT], radiance);
+}
+
+typedef struct encode_job {
+    const tl_image *image;
+    const encoder *encoder;
+    uint8_t *rgb;
+} encode_job;
+
+static void encode_rows(void *context, size_t begin, size_t end)
+{
+    const encode_job *job = context;
+    const tl_image *image = job->image;
+    for (size_t y = begin; y < end; y++) {
+        uint8_t *out = job->rgb + 3 * y * image->width;
+        for (unsigned channel = 0; channel < 3; channel++) {
+            const float *row = tl_image_plane(image, channel) + y * image->pitch;
+            for (size_t x = 0; x < image->width; x++)
+                out[3 * x + channel] = encode(job->encoder, row[x]);
+        }
+    }
+}
+
+void tl_image_to_srgb8(const tl_image *image, float exposure, tl_tone tone, uint8_t *rgb)
+{
+    encoder e;
+    encode_job job = {image, &e, rgb};
+    encoder_prepare(&e, exposure, tone);
+    tl_parallel(image->height, ROWS_PER_SUM, encode_rows, &job);
+}
+
+/* Each entry of sums is one thread's at a time, and they are added in order: the result does not
+ * depend on how many threads there are. */
+typedef struct luminance_job {
+    const tl_image *image;
+    struct {
+        double log2_sum;
+        uint64_t count;
+    } sums[MOST_SUMS];
+} luminance_job;
+
+static void sum_luminance(void *context, size_t begin, size_t end)
+{
+    luminance_job *job = context;
+    const tl_image *image = job->image;
+    for (size_t block = begin; block < end; block++) {
+        const size_t first = block * ROWS_PER_SUM;
+        double sum = 0.0;
+        uint64_t count = 0;
+        for (size_t y = first; y < first + ROWS_PER_SUM && y < image->height; y++) {
+            const float *r = tl_image_plane(image, 0) + y * image->pitch;
+            const float *g = tl_image_plane(image, 1) + y * image->pitch;
+            const float *b = tl_image_plane(image, 2) + y * image->pitch;
+            for (size_t x = 0; x < image->width; x++) {
+                /* Rec. 709's weights of luminance. */
+                const double luminance =
+                    0.2126 * (double)r[x] + 0.7152 * (double)g[x] + 0.0722 * (double)b[x];
+                if (luminance > 0.0 && isfinite(luminance)) {
+                    sum += log2(luminance);
+                    count++;
+                }
+            }
+        }
+        job->sums[block].log2_sum = sum;
+        job->sums[block].count = count;
+    }
+}
+
+float tl_image_auto_exposure(const tl_image *image)
+{
+    const size_t blocks = (image->height + ROWS_PER_SUM - 1) / ROWS_PER_SUM;
+    luminance_job job = {.image = image};
+    double sum = 0.0;
+    uint64_t count = 0;
+    tl_parallel(blocks, 1, sum_luminance, &job);
+    for (size_t block = 0; block < blocks; block++) {
+        sum += job.sums[block].log2_sum;
+        count += job.sums[block].count;
+    }
+    return count ? (float)(log2(0.18) - sum / (double)count) : 0.0f;
+}
