@@ -1,0 +1,105 @@
+#include "tilelight/capture.h"
+
+#include "geometry_pass.h"
+#include "try.h"
+
+#include <stdio.h>
+
+enum { DEFAULT_WIDTH = 1280, DEFAULT_HEIGHT = 720 };
+
+/* Planes are there where something that is drawn has need of them. */
+static uint32_t planes_of(const tl_model *model)
+{
+    uint32_t present = TL_GROUP_BASE | TL_GROUP_METAL_ROUGH;
+    for (size_t i = 0; i < model->draw_count; i++) {
+        const tl_material *const material =
+            &model->materials[model->parts[model->draws[i].part].material];
+        if (material->slots[TL_GLTF_OCCLUSION].texture != -1)
+            present |= TL_GROUP_OCCLUSION;
+        if (material->emits)
+            present |= TL_GROUP_EMISSIVE;
+    }
+    return present;
+}
+
+static tl_status check_size(const tl_capture_options *options, tl_error *err)
+{
+    if (options->width > TL_MAX_EXTENT || options->height > TL_MAX_EXTENT ||
+        !options->width != !options->height)
+        return tl_fail(err, TL_ERR_ARGUMENT, "cannot capture %u x %u pixels: 1 to %d per side",
+                       options->width, options->height, TL_MAX_EXTENT);
+    return TL_OK;
+}
+
+static tl_status render(const tl_model *model,
+                        const tl_camera *camera,
+                        tl_gbuffer **out,
+                        tl_timings *timings,
+                        tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_gl *gl = NULL;
+    tl_scene_objects objects = {0};
+    tl_gbuffer *gbuffer = NULL;
+    const double clock = tl_seconds();
+
+    TRY(tl_gl_open(&gl, err));
+    TRY(tl_upload(gl, model, &objects, err));
+    TRY(tl_gbuffer_create(camera, planes_of(model), &gbuffer, err));
+    tl_timings_end(timings, "upload", clock);
+    TRY(tl_geometry_pass(gl, model, &objects, gbuffer, timings, err));
+
+    *out = gbuffer;
+    gbuffer = NULL;
+done:
+    tl_gbuffer_destroy(gbuffer);
+    tl_scene_objects_clear(&objects);
+    tl_gl_close(gl);
+    return status;
+}
+
+tl_status tl_capture(const char *path,
+                     const tl_capture_options *options,
+                     tl_gbuffer **out,
+                     tl_light_set *lights,
+                     tl_timings *timings,
+                     const tl_notices *notices,
+                     tl_error *err)
+{
+    const uint32_t width = options->width ? options->width : DEFAULT_WIDTH;
+    const uint32_t height = options->height ? options->height : DEFAULT_HEIGHT;
+    tl_status status = TL_OK;
+    tl_model *model = NULL;
+    tl_light_set found = {0};
+    tl_camera camera;
+    double clock = tl_seconds();
+
+    TRY(check_size(options, err));
+    TRY(tl_model_load(path, notices, &model, err));
+    TRY(tl_model_lights(model, &found, err));
+    TRY(tl_model_camera(model, options->camera, width, height, notices, &camera, err));
+    clock = tl_timings_end(timings, "load", clock);
+    TRY(tl_model_decode(model, notices, err));
+    tl_timings_end(timings, "decode", clock);
+    TRY(render(model, &camera, out, timings, err));
+
+    tl_light_set_clear(lights);
+    *lights = found;
+    found = (tl_light_set){0};
+done:
+    tl_light_set_clear(&found);
+    tl_model_destroy(model);
+    return status;
+}
+
+tl_status tl_capture_describe(char *text, size_t size, tl_error *err)
+{
+    tl_gl *gl = NULL;
+    const tl_status status = tl_gl_open(&gl, err);
+    if (status != TL_OK)
+        return status;
+    snprintf(text, size, "%s, OpenGL %s", (const char *)gl->GetString(GL_RENDERER),
+             (const char *)gl->GetString(GL_VERSION));
+    tl_gl_close(gl);
+    return TL_OK;
+}

@@ -1,0 +1,41 @@
+/* The shaders of the geometry pass, compiled for what a material has. */
+#ifndef TL_PROGRAM_H
+#define TL_PROGRAM_H
+
+#include "gl.h"
+
+/* X(bit, macro in the shaders) */
+#define TL_FEATURES(X)                                     \
+    X(TL_HAS_BASE_COLOR, "HAS_BASE_COLOR")                 \
+    X(TL_HAS_METALLIC_ROUGHNESS, "HAS_METALLIC_ROUGHNESS") \
+    X(TL_HAS_NORMAL_MAP, "HAS_NORMAL_MAP")                 \
+    X(TL_HAS_OCCLUSION, "HAS_OCCLUSION")                   \
+    X(TL_HAS_EMISSIVE, "HAS_EMISSIVE")                     \
+    X(TL_HAS_TANGENTS, "HAS_TANGENTS")                     \
+    X(TL_ALPHA_TEST, "ALPHA_TEST")
+
+/* Bit numbers; the first ones are those of the texture slots. */
+enum tl_feature {
+#define TL_FEATURE_NAME(name, macro) name,
+    TL_FEATURES(TL_FEATURE_NAME)
+#undef TL_FEATURE_NAME
+        TL_FEATURE_COUNT
+};
+
+typedef enum tl_pass { TL_DEPTH_PASS, TL_SURFACE_PASS, TL_PASS_COUNT } tl_pass;
+
+/* Programs made so far, by pass and features; 0: not made. They go with the context. */
+typedef struct tl_programs {
+    GLuint made[TL_PASS_COUNT][1 << TL_FEATURE_COUNT];
+} tl_programs;
+
+/* The program of a pass for a set of features, compiled when it is first asked for; features that
+ * do not matter to the pass are dropped. Fails with TL_ERR_DEVICE, with the compiler's log. */
+tl_status tl_program_for(const tl_gl *gl,
+                         tl_programs *programs,
+                         tl_pass pass,
+                         unsigned features,
+                         GLuint *out,
+                         tl_error *err);
+
+#endif

@@ -1,0 +1,454 @@
+// tinygltf behind the C interface of gltf.h: the project's one C++ file.
+//
+// It parses, and mirrors what was parsed; judging is left to the C files that use the numbers. No
+// exception leaves it. Images are kept as the bytes of their files: they are decoded later, on
+// all threads, and only those that something shows.
+#include "extensions.h"
+#include "gltf.h"
+#include "load_limits.h"
+#include "text.h"
+
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#include <tiny_gltf.h>
+
+#include <cstdlib>
+#include <exception>
+#include <memory>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using tinygltf::Value;
+
+struct document : tl_gltf {
+    std::string path_text;
+    tinygltf::Model model;
+    std::vector<tl_gltf_bytes> buffer_list;
+    std::vector<tl_gltf_view> view_list;
+    std::vector<tl_gltf_accessor> accessor_list;
+    std::vector<std::vector<tl_gltf_primitive>> primitive_lists;
+    std::vector<tl_gltf_mesh> mesh_list;
+    std::vector<tl_gltf_node> node_list;
+    std::vector<tl_gltf_scene> scene_list;
+    std::vector<tl_gltf_material> material_list;
+    std::vector<tl_gltf_texture> texture_list;
+    std::vector<tl_gltf_sampler> sampler_list;
+    std::vector<tl_gltf_image> image_list;
+    std::vector<tl_gltf_camera> camera_list;
+    std::vector<tl_gltf_light> light_list;
+    std::vector<const char *> used_list, required_list;
+};
+
+const char *const attribute_names[] = {
+#define ATTRIBUTE_NAME(name, attribute, least, most) attribute,
+    TL_GLTF_ATTRIBUTES(ATTRIBUTE_NAME)
+#undef ATTRIBUTE_NAME
+};
+
+// --- files that a scene names -----------------------------------------------------------------
+
+struct file_reader {
+    std::string folder;
+    uint64_t budget = tl_max_buffer_bytes;
+    tl_error last_failure = {};
+};
+
+// tinygltf tries the working directory after the scene's folder: a scene must not depend on where
+// the program was started. Whether the file is there is found out by reading it.
+bool is_beside_the_scene(const std::string &path, void *context)
+{
+    const auto *reader = static_cast<const file_reader *>(context);
+    return path.compare(0, reader->folder.size() + 1, reader->folder + "/") == 0;
+}
+
+std::string unexpanded(const std::string &path, void *)
+{
+    return path;
+}
+
+bool read_file(std::vector<unsigned char> *out,
+               std::string *error,
+               const std::string &path,
+               void *context)
+{
+    auto *reader = static_cast<file_reader *>(context);
+    uint8_t *data = nullptr;
+    size_t size = 0;
+    if (tl_file_read(path.substr(0, 1024).c_str(), reader->budget, 0, &data, &size,
+                     &reader->last_failure) != TL_OK) {
+        *error = reader->last_failure.message;
+        return false;
+    }
+    std::unique_ptr<uint8_t, decltype(&free)> owner(data, free);
+    reader->budget -= size;
+    out->assign(data, data + size);
+    return true;
+}
+
+// The bytes of an image in a buffer view may not be touched here: the view is unchecked.
+bool keep_image(tinygltf::Image *image,
+                const int,
+                std::string *,
+                std::string *,
+                int,
+                int,
+                const unsigned char *bytes,
+                int size,
+                void *)
+{
+    if (image->bufferView < 0)
+        image->image.assign(bytes, bytes + size);
+    return true;
+}
+
+// --- values of extensions ---------------------------------------------------------------------
+
+const Value *find(const tinygltf::ExtensionMap &extensions, const char *name)
+{
+    const auto found = extensions.find(name);
+    return found == extensions.end() ? nullptr : &found->second;
+}
+
+double number(const Value *object, const char *name, double otherwise)
+{
+    if (!object || !object->IsObject() || !object->Has(name))
+        return otherwise;
+    const Value &value = object->Get(name);
+    return value.IsNumber() ? value.GetNumberAsDouble() : otherwise;
+}
+
+// An index, or -2, which no index check lets through, where a double is none.
+int index_number(const Value *object, const char *name, int otherwise)
+{
+    const double value = number(object, name, otherwise);
+    return value >= -1.0 && value <= 1e9 ? static_cast<int>(value) : -2;
+}
+
+double number_of_pair(const Value *object, const char *name, int i, double otherwise)
+{
+    if (!object || !object->IsObject() || !object->Has(name))
+        return otherwise;
+    const Value &pair = object->Get(name);
+    if (!pair.IsArray() || pair.ArrayLen() != 2 || !pair.Get(i).IsNumber())
+        return otherwise;
+    return pair.Get(i).GetNumberAsDouble();
+}
+
+// --- mirroring --------------------------------------------------------------------------------
+
+template <typename Info> tl_gltf_texture_use mirror_use(const Info &info)
+{
+    const Value *transform = find(info.extensions, "KHR_texture_transform");
+    tl_gltf_texture_use use = {};
+    use.texture = info.index;
+    use.coordinates = index_number(transform, "texCoord", info.texCoord);
+    use.rotation = number(transform, "rotation", 0.0);
+    for (int i = 0; i < 2; i++) {
+        use.offset[i] = number_of_pair(transform, "offset", i, 0.0);
+        use.scale[i] = number_of_pair(transform, "scale", i, 1.0);
+    }
+    return use;
+}
+
+tl_gltf_material mirror(const tinygltf::Material &from)
+{
+    const auto &rough = from.pbrMetallicRoughness;
+    const Value *strength = find(from.extensions, "KHR_materials_emissive_strength");
+    tl_gltf_material to = {};
+    to.name = from.name.c_str();
+    to.alpha_mode = from.alphaMode.c_str();
+    // tinygltf holds these two to 4 and 3 numbers, or their defaults.
+    for (size_t i = 0; i < 4 && i < rough.baseColorFactor.size(); i++)
+        to.base_color[i] = rough.baseColorFactor[i];
+    for (size_t i = 0; i < 3 && i < from.emissiveFactor.size(); i++)
+        to.emissive[i] = from.emissiveFactor[i];
+    to.emissive_strength = number(strength, "emissiveStrength", 1.0);
+    to.metallic = rough.metallicFactor;
+    to.roughness = rough.roughnessFactor;
+    to.normal_scale = from.normalTexture.scale;
+    to.occlusion_strength = from.occlusionTexture.strength;
+    to.alpha_cutoff = from.alphaCutoff;
+    to.double_sided = from.doubleSided;
+    to.textures[TL_GLTF_BASE_COLOR] = mirror_use(rough.baseColorTexture);
+    to.textures[TL_GLTF_METALLIC_ROUGHNESS] = mirror_use(rough.metallicRoughnessTexture);
+    to.textures[TL_GLTF_NORMAL_MAP] = mirror_use(from.normalTexture);
+    to.textures[TL_GLTF_OCCLUSION] = mirror_use(from.occlusionTexture);
+    to.textures[TL_GLTF_EMISSIVE] = mirror_use(from.emissiveTexture);
+    return to;
+}
+
+tl_gltf_accessor mirror(const tinygltf::Accessor &from)
+{
+    tl_gltf_accessor to = {};
+    to.view = from.bufferView;
+    to.offset = from.byteOffset;
+    to.count = from.count;
+    to.component_type = from.componentType;
+    to.component_count = tinygltf::GetNumComponentsInType(static_cast<uint32_t>(from.type));
+    to.normalized = from.normalized;
+    to.sparse = from.sparse.isSparse;
+    if (to.sparse) {
+        to.sparse_count = from.sparse.count;
+        to.sparse_index_view = from.sparse.indices.bufferView;
+        to.sparse_index_offset = from.sparse.indices.byteOffset;
+        to.sparse_index_type = from.sparse.indices.componentType;
+        to.sparse_value_view = from.sparse.values.bufferView;
+        to.sparse_value_offset = from.sparse.values.byteOffset;
+    }
+    return to;
+}
+
+tl_gltf_primitive mirror(const tinygltf::Primitive &from)
+{
+    tl_gltf_primitive to = {};
+    to.mode = from.mode;
+    to.indices = from.indices;
+    to.material = from.material;
+    to.morphs = !from.targets.empty();
+    for (int i = 0; i < TL_GLTF_ATTRIBUTE_COUNT; i++) {
+        const auto found = from.attributes.find(attribute_names[i]);
+        to.attributes[i] = found == from.attributes.end() ? -1 : found->second;
+    }
+    return to;
+}
+
+tl_gltf_node mirror(const tinygltf::Node &from)
+{
+    const Value *light = find(from.extensions, "KHR_lights_punctual");
+    tl_gltf_node to = {};
+    to.name = from.name.c_str();
+    to.mesh = from.mesh;
+    to.camera = from.camera;
+    to.skin = from.skin;
+    to.light = index_number(light, "light", -1);
+    to.child_count = from.children.size();
+    to.children = from.children.data();
+    to.matrix_count = from.matrix.size();
+    to.matrix = from.matrix.data();
+    to.translation_count = from.translation.size();
+    to.translation = from.translation.data();
+    to.rotation_count = from.rotation.size();
+    to.rotation = from.rotation.data();
+    to.scale_count = from.scale.size();
+    to.scale = from.scale.data();
+    return to;
+}
+
+tl_gltf_camera mirror(const tinygltf::Camera &from)
+{
+    const bool orthographic = from.type == "orthographic";
+    tl_gltf_camera to = {};
+    to.name = from.name.c_str();
+    to.orthographic = orthographic;
+    to.vertical_fov = from.perspective.yfov;
+    to.ymag = from.orthographic.ymag;
+    to.near = orthographic ? from.orthographic.znear : from.perspective.znear;
+    to.far = orthographic ? from.orthographic.zfar : from.perspective.zfar;
+    return to;
+}
+
+tl_gltf_light mirror(const tinygltf::Light &from)
+{
+    return {from.name.c_str(),        from.type.c_str(),       from.color.size(),
+            from.color.data(),        from.intensity,          from.range,
+            from.spot.innerConeAngle, from.spot.outerConeAngle};
+}
+
+tl_gltf_view mirror(const tinygltf::BufferView &from)
+{
+    return {from.buffer, from.byteOffset, from.byteLength, from.byteStride};
+}
+
+tl_gltf_bytes mirror(const tinygltf::Buffer &from)
+{
+    return {from.data.data(), from.data.size()};
+}
+
+tl_gltf_image mirror(const tinygltf::Image &from)
+{
+    return {from.name.c_str(),
+            from.uri.c_str(),
+            from.bufferView,
+            {from.image.empty() ? nullptr : from.image.data(), from.image.size()}};
+}
+
+tl_gltf_texture mirror(const tinygltf::Texture &from)
+{
+    return {from.sampler, from.source};
+}
+
+tl_gltf_sampler mirror(const tinygltf::Sampler &from)
+{
+    return {from.minFilter, from.magFilter, from.wrapS, from.wrapT};
+}
+
+tl_gltf_scene mirror(const tinygltf::Scene &from)
+{
+    return {from.name.c_str(), from.nodes.size(), from.nodes.data()};
+}
+
+const char *mirror(const std::string &from)
+{
+    return from.c_str();
+}
+
+template <typename From, typename To, typename Pointer>
+void mirror_all(const std::vector<From> &from,
+                std::vector<To> &to,
+                Pointer &list,
+                size_t &count)
+{
+    to.reserve(from.size());
+    for (const From &one : from)
+        to.push_back(mirror(one));
+    list = to.data();
+    count = to.size();
+}
+
+void mirror_meshes(document &d)
+{
+    d.primitive_lists.resize(d.model.meshes.size());
+    for (size_t i = 0; i < d.model.meshes.size(); i++) {
+        tl_gltf_mesh mesh = {};
+        mesh.name = d.model.meshes[i].name.c_str();
+        mirror_all(d.model.meshes[i].primitives, d.primitive_lists[i], mesh.primitives,
+                   mesh.primitive_count);
+        d.mesh_list.push_back(mesh);
+    }
+    d.meshes = d.mesh_list.data();
+    d.mesh_count = d.mesh_list.size();
+}
+
+void mirror_model(document &d)
+{
+    const tinygltf::Model &m = d.model;
+    d.path = d.path_text.c_str();
+    d.default_scene = m.defaultScene;
+    mirror_all(m.buffers, d.buffer_list, d.buffers, d.buffer_count);
+    mirror_all(m.bufferViews, d.view_list, d.views, d.view_count);
+    mirror_all(m.accessors, d.accessor_list, d.accessors, d.accessor_count);
+    mirror_all(m.nodes, d.node_list, d.nodes, d.node_count);
+    mirror_all(m.scenes, d.scene_list, d.scenes, d.scene_count);
+    mirror_all(m.materials, d.material_list, d.materials, d.material_count);
+    mirror_all(m.textures, d.texture_list, d.textures, d.texture_count);
+    mirror_all(m.samplers, d.sampler_list, d.samplers, d.sampler_count);
+    mirror_all(m.images, d.image_list, d.images, d.image_count);
+    mirror_all(m.cameras, d.camera_list, d.cameras, d.camera_count);
+    mirror_all(m.lights, d.light_list, d.lights, d.light_count);
+    mirror_all(m.extensionsUsed, d.used_list, d.extensions_used, d.used_count);
+    mirror_all(m.extensionsRequired, d.required_list, d.extensions_required, d.required_count);
+    mirror_meshes(d);
+}
+
+// --- parsing ----------------------------------------------------------------------------------
+
+// tinygltf's messages are lines, sometimes with a whole data URI in them: the first part of them
+// as one clause.
+std::string as_clause(std::string text)
+{
+    while (!text.empty() && (text.back() == '\n' || text.back() == '.' || text.back() == ' '))
+        text.pop_back();
+    for (char &c : text)
+        if (static_cast<unsigned char>(c) < 0x20)
+            c = ' ';
+    return text.size() > 300 ? text.substr(0, 300) + " ..." : text;
+}
+
+bool run_parser(document &d,
+                const tl_gltf_text &text,
+                const uint8_t *data,
+                size_t size,
+                file_reader &reader,
+                std::string &error)
+{
+    tinygltf::TinyGLTF parser;
+    std::string warning; // missing images: found again, and told, by whoever needs them
+    parser.SetImageLoader(keep_image, nullptr);
+    parser.SetFsCallbacks({is_beside_the_scene, unexpanded, read_file, nullptr, &reader});
+    return text.is_binary
+               ? parser.LoadBinaryFromMemory(&d.model, &error, &warning, data,
+                                             static_cast<unsigned>(size), reader.folder)
+               : parser.LoadASCIIFromString(&d.model, &error, &warning, text.json,
+                                            static_cast<unsigned>(size), reader.folder);
+}
+
+tl_status parse(document &d,
+                const tl_gltf_text &text,
+                const uint8_t *data,
+                size_t size,
+                const tl_notices *notices,
+                tl_error *err)
+{
+    const char *const path = d.path_text.c_str();
+    const size_t slash = d.path_text.rfind('/');
+    file_reader reader;
+    std::string error;
+    reader.folder = slash == std::string::npos ? "." : d.path_text.substr(0, slash);
+    if (slash == 0)
+        reader.folder = "/.";
+
+    const bool parsed = run_parser(d, text, data, size, reader, error);
+    mirror_model(d);
+    // First, because what an unknown extension leaves out looks like other faults.
+    const tl_status status =
+        tl_gltf_check_extensions(path, d.required_count, d.extensions_required, d.used_count,
+                                 d.extensions_used, parsed ? notices : nullptr, err);
+    if (status != TL_OK)
+        return status;
+    if (!parsed && reader.last_failure.status != TL_OK &&
+        error.find(reader.last_failure.message) != std::string::npos)
+        return tl_fail(err, reader.last_failure.status, "%s: names a file that fails: %.1000s",
+                       path, reader.last_failure.message);
+    // A wrong type leaves an error behind and goes on with a default.
+    if (!parsed || !error.empty())
+        return tl_fail(err, TL_ERR_FORMAT, "%s: is not valid glTF: %s", path,
+                       error.empty() ? "the parser gives no reason" : as_clause(error).c_str());
+    const std::string &version = d.model.asset.version, &least = d.model.asset.minVersion;
+    if (version.compare(0, 2, "2.") != 0 || (!least.empty() && least != "2.0"))
+        return tl_fail(err, TL_ERR_UNSUPPORTED,
+                       "%s: is glTF %s; version 2.0 can be read, so convert it", path,
+                       as_clause(least.empty() ? version : least).c_str());
+    return TL_OK;
+}
+
+} // namespace
+
+extern "C" tl_status tl_gltf_open(const char *path,
+                                  const tl_notices *notices,
+                                  const tl_gltf **out,
+                                  tl_error *err)
+{
+    uint8_t *data = nullptr;
+    size_t size = 0;
+    // tinygltf 2.7 lets a binary chunk end up to 8 bytes behind the data; tl_gltf_find_text does
+    // not, and the padding covers both.
+    tl_status status = tl_file_read(path, tl_max_scene_bytes, 8, &data, &size, err);
+    const std::unique_ptr<uint8_t, decltype(&free)> owner(data, free);
+    tl_gltf_text text = {};
+    if (status == TL_OK)
+        status = tl_gltf_find_text(path, data, size, &text, err);
+    if (status == TL_OK)
+        status = tl_gltf_guard_text(path, &text, err);
+    if (status != TL_OK)
+        return status;
+    try {
+        auto made = std::make_unique<document>();
+        made->path_text = path;
+        status = parse(*made, text, data, size, notices, err);
+        if (status == TL_OK)
+            *out = made.release();
+        return status;
+    } catch (const std::bad_alloc &) {
+        return tl_fail(err, TL_ERR_MEMORY, "%s: out of memory while parsing", path);
+    } catch (const std::exception &e) {
+        return tl_fail(err, TL_ERR_FORMAT, "%s: is not valid glTF: %.300s", path, e.what());
+    }
+}
+
+extern "C" void tl_gltf_close(const tl_gltf *gltf)
+{
+    delete static_cast<const document *>(gltf);
+}

@@ -1,0 +1,33 @@
+/* The steps of tl_model_load, in their order. Each fills its part of the model, which is released
+ * with it whether the step succeeds or not. */
+#ifndef TL_LOADING_H
+#define TL_LOADING_H
+
+#include "accessor.h"
+#include "model.h"
+
+/* Where meshes stand; what becomes draws. */
+typedef struct tl_placements {
+    size_t count;
+    tl_placed *meshes; /* [count], owned by the caller */
+} tl_placements;
+
+/* Walks the default scene: sets cameras, lights and *out. Fails with TL_ERR_FORMAT, naming the node,
+ * for what is no tree of nodes with finite transforms, or TL_ERR_MEMORY. */
+tl_status tl_load_nodes(tl_model *model,
+                        const tl_notices *notices,
+                        tl_placements *out,
+                        tl_error *err);
+
+/* Reads the meshes that are placed: sets vertices, parts and draws. Fails as
+ * tl_accessor_read_attribute does, and with TL_ERR_UNSUPPORTED beyond TL_MAX_DRAW_COUNT. */
+tl_status tl_load_geometry(tl_model *model,
+                           const tl_placements *placements,
+                           const tl_notices *notices,
+                           tl_error *err);
+
+/* Checks the materials that parts use: sets materials and textures. Fails with TL_ERR_FORMAT, naming
+ * the material. */
+tl_status tl_load_materials(tl_model *model, const tl_notices *notices, tl_error *err);
+
+#endif

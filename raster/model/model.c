@@ -1,0 +1,54 @@
+#include "model.h"
+
+#include "loading.h"
+#include "lookup.h"
+#include "try.h"
+
+#include <stdlib.h>
+
+tl_status tl_model_load(const char *path,
+                        const tl_notices *notices,
+                        tl_model **out,
+                        tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_placements placements = {0};
+    tl_model *made = calloc(1, sizeof *made);
+
+    if (!made)
+        return tl_fail(err, TL_ERR_MEMORY, "%s: out of memory", path);
+    TRY(tl_gltf_open(path, notices, &made->gltf, err));
+    TRY(tl_load_nodes(made, notices, &placements, err));
+    TRY(tl_load_geometry(made, &placements, notices, err));
+    TRY(tl_load_materials(made, notices, err));
+
+    *out = made;
+    made = NULL;
+done:
+    free(placements.meshes);
+    tl_model_destroy(made);
+    return status;
+}
+
+void tl_model_destroy(tl_model *model)
+{
+    if (!model)
+        return;
+    for (size_t i = 0; i < model->vertices_count; i++)
+        for (int k = 0; k < TL_GLTF_ATTRIBUTE_COUNT; k++)
+            free(model->vertices[i].attributes[k]);
+    for (size_t i = 0; i < model->part_count; i++)
+        free(model->parts[i].indices);
+    for (size_t i = 0; i < model->image_count; i++)
+        free(model->images[i].rgba);
+    free(model->vertices);
+    free(model->parts);
+    free(model->draws);
+    free(model->cameras);
+    free(model->lights);
+    free(model->materials);
+    free(model->textures);
+    free(model->images);
+    tl_gltf_close(model->gltf);
+    free(model);
+}

@@ -1,0 +1,108 @@
+/* A glTF scene as the geometry pass wants it: checked, flattened, in floats; plain C, no OpenGL. */
+#ifndef TL_MODEL_H
+#define TL_MODEL_H
+
+#include "gltf.h"
+#include "matrix.h"
+
+#include "tilelight/lights.h"
+
+/* Vertices that parts share. */
+typedef struct tl_vertices {
+    size_t count;
+    /* [count][tl_attribute_width], owned; NULL: absent. Position and normal are always there. */
+    float *attributes[TL_GLTF_ATTRIBUTE_COUNT];
+} tl_vertices;
+
+/* One primitive of a mesh: a triangle list. */
+typedef struct tl_part {
+    size_t vertices;        /* index into the model's vertices */
+    size_t index_count;     /* a multiple of 3; 0: nothing to draw */
+    uint32_t *indices;      /* [index_count], owned */
+    size_t material;        /* index into the model's materials */
+    double low[3], high[3]; /* bounds of the vertices in use */
+} tl_part;
+
+/* One part at one place. */
+typedef struct tl_draw {
+    size_t part, node;
+    tl_affine world;
+} tl_draw;
+
+/* A camera or light of the file at one place. */
+typedef struct tl_placed {
+    int what; /* index into the file's cameras or lights */
+    size_t node;
+    tl_affine world;
+} tl_placed;
+
+/* An image's texels; rgba is owned. All zero: the image could not be had. */
+typedef struct tl_texels {
+    uint32_t width, height;
+    uint8_t *rgba; /* [height][width][4], top row first */
+} tl_texels;
+
+/* An image with the way to look it up. */
+typedef struct tl_texture {
+    int image; /* of the file */
+    bool srgb;
+    tl_gltf_sampler sampler; /* every field is a value that OpenGL knows */
+} tl_texture;
+
+typedef struct tl_texture_slot {
+    int texture;     /* index into the model's textures, -1: none */
+    int coordinates; /* 0 or 1 */
+    float uv_from_coordinates[2][3];
+} tl_texture_slot;
+
+typedef struct tl_material {
+    float base_color[4], emissive[3]; /* strength included */
+    float metallic, roughness, normal_scale, occlusion_strength;
+    float alpha_cutoff; /* below it there is nothing; 0: opaque */
+    bool double_sided, emits;
+    tl_texture_slot slots[TL_GLTF_SLOT_COUNT];
+} tl_material;
+
+typedef struct tl_model {
+    const tl_gltf *gltf; /* owned; for names in messages */
+    size_t vertices_count, part_count, draw_count, camera_count, light_count;
+    size_t material_count, texture_count, image_count;
+    tl_vertices *vertices;
+    tl_part *parts;
+    tl_draw *draws;
+    tl_placed *cameras, *lights; /* in the order of the scene's nodes, parents first */
+    tl_material *materials;      /* those of the file, then the default one */
+    tl_texture *textures;        /* the ones that materials in use need */
+    tl_texels *images;           /* as the file numbers them; see tl_model_decode */
+} tl_model;
+
+/* Loads a scene but for its images. The caller releases *out with tl_model_destroy. Fails as
+ * tl_capture does, without TL_ERR_DEVICE. */
+tl_status tl_model_load(const char *path,
+                        const tl_notices *notices,
+                        tl_model **out,
+                        tl_error *err);
+
+/* Accepts NULL. */
+void tl_model_destroy(tl_model *model);
+
+/* Decodes the images that textures need, on all threads. Slots whose image is missing lose their
+ * texture, which is told. Fails with TL_ERR_FORMAT (a damaged image), TL_ERR_UNSUPPORTED (not PNG or
+ * JPEG, or too large) or TL_ERR_MEMORY, naming the image. */
+tl_status tl_model_decode(tl_model *model, const tl_notices *notices, tl_error *err);
+
+/* Adds the lights of the scene. Fails with TL_ERR_FORMAT, naming the light, or TL_ERR_MEMORY. */
+tl_status tl_model_lights(const tl_model *model, tl_light_set *lights, tl_error *err);
+
+/* The camera to capture with: `wanted` by the name of its node or its own, or by its index in the
+ * file; NULL: the first of the scene, else one that shows all of it from the front, which is told.
+ * Fails with TL_ERR_ARGUMENT (no such camera), saying which there are, or TL_ERR_FORMAT. */
+tl_status tl_model_camera(const tl_model *model,
+                          const char *wanted,
+                          uint32_t width,
+                          uint32_t height,
+                          const tl_notices *notices,
+                          tl_camera *out,
+                          tl_error *err);
+
+#endif

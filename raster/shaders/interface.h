@@ -1,0 +1,35 @@
+/* What C and GLSL agree on: locations and units. Read by both, so it holds numbers only. */
+
+/* Attributes stand in the order of TL_GLTF_ATTRIBUTES. */
+#define ATTRIBUTE_POSITION 0
+#define ATTRIBUTE_NORMAL 1
+#define ATTRIBUTE_TANGENT 2
+#define ATTRIBUTE_TEXCOORD_0 3
+#define ATTRIBUTE_TEXCOORD_1 4
+#define ATTRIBUTE_COLOR 5
+
+/* Texture units, and the order of per-slot uniforms: that of TL_GLTF_SLOTS. */
+#define SLOT_BASE_COLOR 0
+#define SLOT_METALLIC_ROUGHNESS 1
+#define SLOT_NORMAL_MAP 2
+#define SLOT_OCCLUSION 3
+#define SLOT_EMISSIVE 4
+#define SLOT_COUNT 5
+
+#define UNIFORM_CLIP_FROM_VIEW 0
+#define UNIFORM_VIEW_FROM_MODEL 1
+#define UNIFORM_NORMAL_FROM_MODEL 2
+#define UNIFORM_TANGENT_FROM_MODEL 3
+#define UNIFORM_WORLD_FROM_VIEW 4
+#define UNIFORM_BITANGENT_SIGN 5
+#define UNIFORM_BASE_COLOR 6
+#define UNIFORM_EMISSIVE 7
+#define UNIFORM_FACTORS 8 /* metallic, roughness, normal scale, occlusion strength */
+#define UNIFORM_ALPHA_CUTOFF 9
+#define UNIFORM_COORDINATES 10                            /* [SLOT_COUNT] */
+#define UNIFORM_UV (UNIFORM_COORDINATES + SLOT_COUNT)     /* [2 SLOT_COUNT] rows of matrices */
+
+#define TARGET_NORMAL_DEPTH 0
+#define TARGET_ALBEDO_METALLIC 1
+#define TARGET_ROUGHNESS_OCCLUSION 2
+#define TARGET_EMISSIVE 3

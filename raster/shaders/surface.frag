@@ -1,0 +1,107 @@
+// Material pass: what the surface is made of, in the order of the targets.
+in vec3 view_position;
+in vec3 world_normal;
+in vec4 world_tangent;
+
+layout(location = UNIFORM_WORLD_FROM_VIEW) uniform mat3 world_from_view;
+layout(location = UNIFORM_EMISSIVE) uniform vec3 emissive_factor;
+layout(location = UNIFORM_FACTORS) uniform vec4 factors;
+
+#ifdef HAS_METALLIC_ROUGHNESS
+layout(binding = SLOT_METALLIC_ROUGHNESS) uniform sampler2D metallic_roughness_texture;
+#endif
+#ifdef HAS_NORMAL_MAP
+layout(binding = SLOT_NORMAL_MAP) uniform sampler2D normal_map;
+#endif
+#ifdef HAS_OCCLUSION
+layout(binding = SLOT_OCCLUSION) uniform sampler2D occlusion_texture;
+#endif
+#ifdef HAS_EMISSIVE
+layout(binding = SLOT_EMISSIVE) uniform sampler2D emissive_texture;
+#endif
+
+layout(location = TARGET_NORMAL_DEPTH) out vec4 normal_depth;
+layout(location = TARGET_ALBEDO_METALLIC) out vec4 albedo_metallic;
+layout(location = TARGET_ROUGHNESS_OCCLUSION) out vec2 roughness_occlusion;
+layout(location = TARGET_EMISSIVE) out vec4 emissive;
+
+// The interpolated normal; where the file has none to interpolate, that of the triangle.
+vec3 surface_normal()
+{
+    vec3 n = world_normal;
+    if (dot(n, n) == 0.0) {
+        n = world_from_view * cross(dFdx(view_position), dFdy(view_position));
+        n = dot(n, world_from_view * view_position) > 0.0 ? -n : n;
+        n = gl_FrontFacing ? n : -n;
+    }
+    return normalize(n);
+}
+
+#ifdef HAS_NORMAL_MAP
+#ifdef HAS_TANGENTS
+// As MikkTSpace wants it: the interpolated vectors as they are, one normalisation at the end.
+vec3 mapped_normal(vec3 n, vec3 mapped)
+{
+    vec3 bitangent = world_tangent.w * cross(world_normal, world_tangent.xyz);
+    return mapped.x * world_tangent.xyz + mapped.y * bitangent + mapped.z * world_normal;
+}
+#else
+// The frame in which u and v grow, from what they and the position change by between pixels:
+// C. Schueler, "Normal Mapping without Precomputed Tangents", ShaderX5, 2006, and then made
+// orthogonal to the normal as MikkTSpace does. The map's y points against v, which grows downwards.
+vec3 mapped_normal(vec3 n, vec3 mapped)
+{
+    vec2 uv = uv_of(SLOT_NORMAL_MAP);
+    vec3 dx = world_from_view * dFdx(view_position), dy = world_from_view * dFdy(view_position);
+    vec2 du = vec2(dFdx(uv.x), dFdy(uv.x)), dv = vec2(dFdx(uv.y), dFdy(uv.y));
+    float determinant = du.x * dv.y - du.y * dv.x;
+    vec3 along_u = (dx * dv.y - dy * dv.x) * sign(determinant);
+    vec3 against_v = (dx * du.y - dy * du.x) * sign(determinant);
+    vec3 tangent = along_u - n * dot(n, along_u);
+    float length2 = dot(tangent, tangent);
+    if (!(length2 > 0.0)) // coordinates that do not change have no directions
+        return n;
+    tangent *= inversesqrt(length2);
+    vec3 bitangent = cross(n, tangent);
+    bitangent = dot(bitangent, against_v) < 0.0 ? -bitangent : bitangent;
+    return mapped.x * tangent + mapped.y * bitangent + mapped.z * n;
+}
+#endif
+#endif
+
+vec3 shading_normal()
+{
+    vec3 n = surface_normal();
+#ifdef HAS_NORMAL_MAP
+    vec3 mapped = texture(normal_map, uv_of(SLOT_NORMAL_MAP)).xyz * 2.0 - 1.0;
+    n = normalize(mapped_normal(n, mapped * vec3(factors.zz, 1.0)));
+#endif
+    return gl_FrontFacing ? n : -n;
+}
+
+void main()
+{
+    vec4 base = base_color();
+    float metallic = factors.x, roughness = factors.y, occlusion = 1.0;
+    vec3 emitted = emissive_factor;
+#ifdef ALPHA_TEST
+    if (base.a < alpha_cutoff)
+        discard;
+#endif
+#ifdef HAS_METALLIC_ROUGHNESS
+    vec4 rough = texture(metallic_roughness_texture, uv_of(SLOT_METALLIC_ROUGHNESS));
+    metallic *= rough.b;
+    roughness *= rough.g;
+#endif
+#ifdef HAS_OCCLUSION
+    float open = texture(occlusion_texture, uv_of(SLOT_OCCLUSION)).r;
+    occlusion = 1.0 + factors.w * (open - 1.0);
+#endif
+#ifdef HAS_EMISSIVE
+    emitted *= texture(emissive_texture, uv_of(SLOT_EMISSIVE)).rgb;
+#endif
+    normal_depth = vec4(shading_normal(), -view_position.z);
+    albedo_metallic = vec4(clamp(base.rgb, 0.0, 1.0), metallic);
+    roughness_occlusion = vec2(roughness, occlusion);
+    emissive = vec4(emitted, 1.0);
+}
