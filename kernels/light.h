@@ -13,6 +13,10 @@
 #include "reach.h"
 #include "specular.h"
 
+/* Nearer than 1e-12 m a light is in the surface point: float positions in metres tell no direction
+ * there, and squares of what they differ by vanish. */
+#define TL_LEAST_DISTANCE2 R(1e-24)
+
 typedef struct surface {
     vec3 position, normal, to_eye; /* view space, m; the last two unit, or normal 0 */
     real shininess;
@@ -82,7 +86,7 @@ TL_INLINE received add_ranged_light(received sum,
     const real per_distance = R(1.0) / distance;
     const real weight = fade_of(needs, light, distance2, distance, per_distance);
     return add_lobes(sum, needs, s, light, l, distance, per_distance, weight,
-                     within & (distance2 > R(0.0)));
+                     within & (distance2 > TL_LEAST_DISTANCE2));
 }
 
 /* A light that reaches everything: directional, or a point light without a range. */

@@ -1,1 +1,5 @@
-# Tests of this kind, by name.
+# What the device computes, and the formulas behind it.
+tl_test(test_specular_rounding unit tl_frame)
+tl_test(test_frame_layout device tl_lighting)
+tl_test(test_same_bits device tl_lighting)
+tl_test(test_culling_exact device tl_lighting)

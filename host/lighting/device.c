@@ -1,5 +1,6 @@
 #include "device.h"
 
+#include "program.h"
 #include "try.h"
 
 #include <ctype.h>
@@ -114,6 +115,7 @@ void tl_device_close(tl_device *device)
 {
     if (!device)
         return;
+    tl_programs_release(device->programs);
     if (device->queue)
         clReleaseCommandQueue(device->queue);
     if (device->context)

@@ -1,4 +1,5 @@
-/* An opened OpenCL device: one context, one in-order profiling queue. */
+/* An opened OpenCL device: one context, one in-order profiling queue, the programs built so far. For
+ * one thread at a time. */
 #ifndef TL_DEVICE_H
 #define TL_DEVICE_H
 
@@ -12,8 +13,9 @@ struct tl_device {
     cl_context context;
     cl_command_queue queue;
     tl_device_info info;
-    int shares_memory; /* 1: buffers over host memory need no copy */
-    int rounds_divide; /* 1: -cl-fp32-correctly-rounded-divide-sqrt is accepted */
+    struct tl_programs *programs; /* program.h; NULL until the first */
+    int shares_memory;            /* 1: buffers over host memory need no copy */
+    int rounds_divide;            /* 1: -cl-fp32-correctly-rounded-divide-sqrt is accepted */
 };
 
 /* What OpenCL says of a device; is_default is left 0. */

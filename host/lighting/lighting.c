@@ -7,16 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A scene that changes its needs from frame to frame keeps this many programs at hand. */
-enum { MAX_PROGRAMS = 16 };
-
 struct tl_lighting {
     tl_device *device;
     tl_lighting_options options;
     tl_prepared prepared;
     tl_buffers buffers;
-    tl_program programs[MAX_PROGRAMS];
-    int program_count, oldest_program;
 };
 
 static const struct {
@@ -90,8 +85,6 @@ void tl_lighting_destroy(tl_lighting *lighting)
     if (!lighting)
         return;
     tl_buffers_release(&lighting->buffers);
-    for (int i = 0; i < lighting->program_count; i++)
-        tl_program_release(&lighting->programs[i]);
     tl_prepared_clear(&lighting->prepared);
     free(lighting);
 }
@@ -114,33 +107,6 @@ static tl_kernel_options kernel_options(const tl_lighting *lighting)
                                .present = needs->present,
                                .specular = needs->specular,
                                .falloffs = needs->falloffs};
-}
-
-/* The program for this frame, built if the scene needs one it has not needed lately. */
-static tl_status find_program(tl_lighting *lighting, const tl_program **out, tl_error *err)
-{
-    const tl_kernel_options options = kernel_options(lighting);
-    tl_program built = {0};
-    for (int i = 0; i < lighting->program_count; i++) {
-        if (memcmp(&lighting->programs[i].options, &options, sizeof options) == 0) {
-            *out = &lighting->programs[i];
-            return TL_OK;
-        }
-    }
-    const tl_status status = tl_program_build(lighting->device, &options, &built, err);
-    if (status != TL_OK)
-        return status;
-    if (lighting->program_count == MAX_PROGRAMS) {
-        const int slot = lighting->oldest_program;
-        lighting->oldest_program = (slot + 1) % MAX_PROGRAMS;
-        tl_program_release(&lighting->programs[slot]);
-        lighting->programs[slot] = built;
-        *out = &lighting->programs[slot];
-        return TL_OK;
-    }
-    lighting->programs[lighting->program_count] = built;
-    *out = &lighting->programs[lighting->program_count++];
-    return TL_OK;
 }
 
 static size_t plane_size(const tl_gbuffer *gbuffer)
@@ -205,7 +171,8 @@ static tl_status run_on_device(tl_lighting *lighting,
                                .precision_is_double =
                                    precisions[lighting->options.precision].is_double};
     double clock = tl_seconds();
-    TRY(find_program(lighting, &context.program, err));
+    const tl_kernel_options kernels = kernel_options(lighting);
+    TRY(tl_program_find(lighting->device, &kernels, &context.program, err));
     clock = tl_timings_end(timings, "compile", clock);
     TRY(upload(&context, gbuffer, image, err));
     clock = tl_timings_end(timings, "upload", clock);

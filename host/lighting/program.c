@@ -7,7 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_FLAGS = 512 };
+enum { MAX_FLAGS = 512, MAX_PROGRAMS = 16 };
+
+struct tl_programs {
+    tl_program of[MAX_PROGRAMS];
+    int count, oldest;
+};
 
 /* No -cl-fast-relaxed-math: the error bounds in kernels/ assume IEEE arithmetic. */
 static void format_flags(const tl_device *device,
@@ -53,10 +58,23 @@ done:
     return status;
 }
 
-tl_status tl_program_build(const tl_device *device,
-                           const tl_kernel_options *options,
-                           tl_program *out,
-                           tl_error *err)
+/* Accepts one that is all zero, and leaves it so. */
+static void release(tl_program *program)
+{
+#define RELEASE(name)  \
+    if (program->name) \
+        clReleaseKernel(program->name);
+    TL_KERNELS(RELEASE)
+#undef RELEASE
+    if (program->program)
+        clReleaseProgram(program->program);
+    *program = (tl_program){0};
+}
+
+static tl_status build(const tl_device *device,
+                       const tl_kernel_options *options,
+                       tl_program *out,
+                       tl_error *err)
 {
     tl_status status = TL_OK;
     tl_program made = {.options = *options};
@@ -73,18 +91,50 @@ tl_status tl_program_build(const tl_device *device,
     *out = made;
     made = (tl_program){0};
 done:
-    tl_program_release(&made);
+    release(&made);
     return status;
 }
 
-void tl_program_release(tl_program *program)
+/* Where the next program goes; the one built longest ago gives way. */
+static tl_program *free_slot(struct tl_programs *programs)
 {
-#define RELEASE(name)  \
-    if (program->name) \
-        clReleaseKernel(program->name);
-    TL_KERNELS(RELEASE)
-#undef RELEASE
-    if (program->program)
-        clReleaseProgram(program->program);
-    *program = (tl_program){0};
+    if (programs->count < MAX_PROGRAMS)
+        return &programs->of[programs->count++];
+    tl_program *slot = &programs->of[programs->oldest];
+    programs->oldest = (programs->oldest + 1) % MAX_PROGRAMS;
+    release(slot);
+    return slot;
+}
+
+tl_status tl_program_find(tl_device *device,
+                          const tl_kernel_options *options,
+                          const tl_program **out,
+                          tl_error *err)
+{
+    tl_program built = {0};
+    if (!device->programs)
+        device->programs = calloc(1, sizeof *device->programs);
+    if (!device->programs)
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for kernel programs");
+    for (int i = 0; i < device->programs->count; i++) {
+        *out = &device->programs->of[i];
+        if (memcmp(&(*out)->options, options, sizeof *options) == 0)
+            return TL_OK;
+    }
+    const tl_status status = build(device, options, &built, err);
+    if (status != TL_OK)
+        return status;
+    tl_program *slot = free_slot(device->programs);
+    *slot = built;
+    *out = slot;
+    return TL_OK;
+}
+
+void tl_programs_release(struct tl_programs *programs)
+{
+    if (!programs)
+        return;
+    for (int i = 0; i < programs->count; i++)
+        release(&programs->of[i]);
+    free(programs);
 }

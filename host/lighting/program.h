@@ -30,15 +30,16 @@ typedef struct tl_program {
 #undef HANDLE
 } tl_program;
 
-/* Builds every kernel for one device and one set of options; light_rects stays NULL on a device
- * without double. Release with tl_program_release. Fails with TL_ERR_DEVICE; the message then
- * carries the file and the compiler's log. */
-tl_status tl_program_build(const tl_device *device,
-                           const tl_kernel_options *options,
-                           tl_program *out,
-                           tl_error *err);
+/* The device's program for these options: every kernel, built the first time they are asked for;
+ * light_rects stays NULL on a device without double. The device owns *out and keeps the programs it
+ * was asked for last, 16 of them, so *out holds until the next call. Fails with TL_ERR_DEVICE; the
+ * message then carries the file and the compiler's log. */
+tl_status tl_program_find(tl_device *device,
+                          const tl_kernel_options *options,
+                          const tl_program **out,
+                          tl_error *err);
 
-/* Accepts one that is all zero, and leaves it so. */
-void tl_program_release(tl_program *program);
+/* Releases all programs of the device. Accepts NULL. */
+void tl_programs_release(struct tl_programs *programs);
 
 #endif

@@ -1,0 +1,195 @@
+/* Is the image the same, bit for bit, whatever is culled, and is no light ever lost?
+ *
+ * The reference has neither tiles nor lists: the C twin shines every light on every pixel. */
+#include "frames.h"
+
+#include "position.h"
+#include "prepared.h"
+#include "reach.h"
+
+static const struct {
+    uint32_t width, height;
+    tl_projection projection;
+} sizes[] = {{1, 1, TL_PERSPECTIVE},   {17, 9, TL_ORTHOGRAPHIC}, {1, 67, TL_PERSPECTIVE},
+             {130, 1, TL_PERSPECTIVE}, {64, 64, TL_PERSPECTIVE}, {61, 40, TL_PERSPECTIVE},
+             {61, 40, TL_ORTHOGRAPHIC}};
+
+enum { MANY = 1000, SMALL = 400 };
+
+static void scattered(const tl_gbuffer *g, tl_light_set *lights, uint32_t count)
+{
+    uint32_t seed = 20110901;
+    tl_error err;
+    for (uint32_t i = 0; i < count; i++) {
+        const tl_light light = random_light(&g->camera, &seed, 0.05f, 1.5f);
+        ASSERT_OK(tl_light_set_add(lights, &light, &err), err);
+    }
+}
+
+/* Each light's range ends at one pixel, to the last bit: it is the least range whose square is not
+ * above the computed d2, or one ulp more. In the image of one pixel the tile's box is that pixel,
+ * and the bits of the two distances have to be the same. */
+static void shells(const tl_gbuffer *g, tl_light_set *lights, uint32_t count)
+{
+    const tl_needs needs = {.orthographic = g->camera.projection == TL_ORTHOGRAPHIC};
+    tl_prepared prepared = {0};
+    uint32_t seed = 20110901;
+    tl_error err;
+    scattered(g, lights, count);
+    ASSERT_OK(tl_prepare(g, lights, 16, 1, 0.0f, NULL, &prepared, &err), err);
+    for (uint32_t i = 0; i < count; i++) {
+        const uint32_t column = (uint32_t)uniform(&seed, 0.0f, (float)g->camera.width);
+        const uint32_t row = (uint32_t)uniform(&seed, 0.0f, (float)g->camera.height);
+        const float depth = tl_gbuffer_plane(g, TL_DEPTH)[(size_t)row * g->pitch + column];
+        if (isinf(depth))
+            continue;
+        const vec3 p =
+            view_position(prepared.frame.rays, needs, (float)column, (float)row, depth);
+        const vec3 l = vector_to_light(p, prepared.lights[i]);
+        const float rim = sqrtf(dot3(l, l));
+        lights->lights[i].range = i % 2 ? nextafterf(rim, INFINITY) : rim;
+        lights->lights[i].falloff = TL_FALLOFF_INVERSE_SQUARE;
+        lights->lights[i].intensity =
+            1e6f; /* so that what the window leaves at the rim shows */
+    }
+    tl_prepared_clear(&prepared);
+}
+
+static void all_over(const tl_gbuffer *g, tl_light_set *lights, uint32_t count)
+{
+    scattered(g, lights, count);
+    for (uint32_t i = 0; i < count; i++)
+        lights->lights[i].range = 20.0f;
+}
+
+/* The eye inside, one ulp outside, and around: what the broad phase could get wrong. */
+static void around_the_eye(const tl_gbuffer *g, tl_light_set *lights, uint32_t count)
+{
+    uint32_t seed = 7;
+    tl_error err;
+    for (uint32_t i = 0; i < count; i++) {
+        tl_light light = tl_light_default();
+        const double view[3] = {(double)uniform(&seed, -8.0f, 8.0f),
+                                (double)uniform(&seed, -8.0f, 8.0f),
+                                (double)uniform(&seed, -8.0f, 8.0f)};
+        double world[3];
+        tl_camera_world_point(&g->camera, view, world);
+        for (int axis = 0; axis < 3; axis++)
+            light.position[axis] = (float)world[axis];
+        light.range = (float)sqrt(view[0] * view[0] + view[1] * view[1] + view[2] * view[2]) *
+                      (i % 3 == 0   ? 0x1.fffffep-1f
+                       : i % 3 == 1 ? 0x1.000002p0f
+                                    : uniform(&seed, 0.5f, 1.5f));
+        ASSERT_OK(tl_light_set_add(lights, &light, &err), err);
+    }
+}
+
+static const struct {
+    const char *name;
+    uint32_t count;
+    void (*place)(const tl_gbuffer *g, tl_light_set *lights, uint32_t count);
+} scenes[] = {
+    {"no light", 0, scattered},
+    {"scattered", 200, scattered},
+    {"ranges that end at a pixel", SMALL, shells},
+    {"around the eye", SMALL, around_the_eye},
+    {"1000 lights on every tile", MANY, all_over},
+    {"few lights after many", 3, scattered},
+};
+
+/* One tl_lighting lights all scenes, so that buffers grow and lists start afresh. */
+static void compare(tl_device *device,
+                    const tl_lighting_options *options,
+                    const tl_gbuffer *g,
+                    tl_light_set lights[COUNT_OF(scenes)],
+                    tl_image *want[COUNT_OF(scenes)])
+{
+    tl_lighting *lighting = NULL;
+    tl_image *got = image_like(g);
+    tl_error err;
+    ASSERT_OK(tl_lighting_create(device, options, &lighting, &err), err);
+    for (size_t s = 0; s < COUNT_OF(scenes); s++) {
+        char what[160];
+        snprintf(what, sizeof what, "%s, %u x %u, tile %u, width %u, cull %d", scenes[s].name,
+                 g->camera.width, g->camera.height, options->tile_size, options->vector_width,
+                 options->cull);
+        ASSERT_OK(tl_lighting_run(lighting, g, &lights[s], got, NULL, NULL, NULL, &err), err);
+        assert_same_image(got, want[s], what);
+    }
+    tl_image_destroy(got);
+    tl_lighting_destroy(lighting);
+}
+
+static void image_never_changes(void **state)
+{
+    static const uint32_t tiles[] = {8, 16, 32, 64}, widths[] = {1, 8, 16};
+    const tl_lighting_options twin = {.precision = TL_PRECISION_TWIN, .tile_size = 16};
+    for (size_t size = 0; size < COUNT_OF(sizes); size++) {
+        const tl_camera camera =
+            camera_of(sizes[size].width, sizes[size].height, sizes[size].projection);
+        tl_gbuffer *g = random_gbuffer(&camera, TL_GROUP_BASE | TL_GROUP_PHONG, 1977);
+        tl_light_set lights[COUNT_OF(scenes)] = {{.count = 0}};
+        tl_image *want[COUNT_OF(scenes)];
+        for (size_t s = 0; s < COUNT_OF(scenes); s++) {
+            scenes[s].place(g, &lights[s], scenes[s].count);
+            want[s] = image_like(g);
+            light_frame(NULL, &twin, g, &lights[s], want[s]);
+        }
+        for (size_t t = 0; t < COUNT_OF(tiles); t++)
+            for (size_t w = 0; w < COUNT_OF(widths); w++)
+                for (int cull = 0; cull < TL_CULL_COUNT; cull++) {
+                    const tl_lighting_options options = {.cull = (tl_cull)cull,
+                                                         .tile_size = tiles[t],
+                                                         .vector_width = widths[w]};
+                    compare(*state, &options, g, lights, want);
+                }
+        for (size_t s = 0; s < COUNT_OF(scenes); s++) {
+            tl_light_set_clear(&lights[s]);
+            tl_image_destroy(want[s]);
+        }
+        tl_gbuffer_destroy(g);
+    }
+}
+
+static void most_pairs_are_culled(void **state)
+{
+    const tl_camera camera = camera_of(61, 40, TL_PERSPECTIVE);
+    tl_gbuffer *g = random_gbuffer(&camera, TL_GROUP_BASE, 1977);
+    tl_image *image = image_like(g);
+    tl_light_set lights = {0};
+    tl_lighting_options options = tl_lighting_options_default();
+    options.tile_size = 8;
+    scattered(g, &lights, 200);
+    const tl_lighting_counts by_depth = light_frame(*state, &options, g, &lights, image);
+    options.cull = TL_CULL_RECT;
+    const tl_lighting_counts by_rect = light_frame(*state, &options, g, &lights, image);
+    options.cull = TL_CULL_NONE;
+    const tl_lighting_counts all = light_frame(*state, &options, g, &lights, image);
+
+    assert_int_equal(all.list_length, 200 * 8 * 5);
+    assert_in_range(by_rect.list_length, 1, all.list_length / 2);
+    assert_in_range(by_depth.list_length, 1, by_rect.list_length * 9 / 10);
+    tl_light_set_clear(&lights);
+    tl_image_destroy(image);
+    tl_gbuffer_destroy(g);
+}
+
+/* A light contributes if and only if d2 < range2. */
+static void range_is_exclusive(void **state)
+{
+    const tl_view_light light = {.range2 = 2.0f};
+    (void)state;
+    assert_true(reaches(light, nextafterf(2.0f, 0.0f)));
+    assert_false(reaches(light, 2.0f));
+    assert_false(reaches(light, NAN));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(image_never_changes),
+        cmocka_unit_test(most_pairs_are_culled),
+        cmocka_unit_test(range_is_exclusive),
+    };
+    return cmocka_run_group_tests(tests, open_device, close_device);
+}

@@ -1,0 +1,75 @@
+/* Do host and device agree on every offset of kernels/frame.h? */
+#include "frames.h"
+
+#include "frame.h"
+#include "program.h"
+
+/* In the order in which probe_layout writes. */
+#define FIELD(type, field)                              \
+    {                                                   \
+#        type "." #        field, offsetof(type, field) \
+    }
+static const struct {
+    const char *name;
+    size_t host;
+} fields[] = {
+    {"sizeof tl_frame", sizeof(tl_frame)},
+    FIELD(tl_frame, rays),
+    FIELD(tl_frame, view_from_world),
+    FIELD(tl_frame, ambient),
+    FIELD(tl_frame, tile_size),
+    FIELD(tl_frame, sky),
+    FIELD(tl_frame, cull_depth),
+    FIELD(tl_frame, pitch),
+    FIELD(tl_frame, rows),
+    FIELD(tl_frame, tiles_x),
+    FIELD(tl_frame, tiles_y),
+    FIELD(tl_frame, box_pitch),
+    FIELD(tl_frame, global_count),
+    FIELD(tl_frame, light_count),
+    {"sizeof tl_view_light", sizeof(tl_view_light)},
+    FIELD(tl_view_light, position),
+    FIELD(tl_view_light, range2),
+    FIELD(tl_view_light, diffuse),
+    FIELD(tl_view_light, fade),
+    FIELD(tl_view_light, specular),
+    FIELD(tl_view_light, falloff),
+};
+
+static void offsets_agree(void **state)
+{
+    static const tl_kernel_options options = {.width = 8, .present = TL_GROUP_BASE};
+    static const size_t one = 1;
+    tl_device *device = *state;
+    cl_uint on_device[COUNT_OF(fields)] = {0};
+    const tl_program *program = NULL;
+    cl_int code;
+    tl_error err;
+
+    ASSERT_OK(tl_program_find(device, &options, &program, &err), err);
+    cl_kernel probe = clCreateKernel(program->program, "probe_layout", &code);
+    assert_int_equal(code, CL_SUCCESS);
+    cl_mem out =
+        clCreateBuffer(device->context, CL_MEM_WRITE_ONLY, sizeof on_device, NULL, &code);
+    assert_int_equal(code, CL_SUCCESS);
+    assert_int_equal(clSetKernelArg(probe, 0, sizeof out, &out), CL_SUCCESS);
+    assert_int_equal(
+        clEnqueueNDRangeKernel(device->queue, probe, 1, NULL, &one, &one, 0, NULL, NULL),
+        CL_SUCCESS);
+    assert_int_equal(clEnqueueReadBuffer(device->queue, out, CL_TRUE, 0, sizeof on_device,
+                                         on_device, 0, NULL, NULL),
+                     CL_SUCCESS);
+
+    for (size_t i = 0; i < COUNT_OF(fields); i++)
+        if (on_device[i] != fields[i].host)
+            fail_msg("%s: device %u, host %zu", fields[i].name, on_device[i], fields[i].host);
+
+    clReleaseMemObject(out);
+    clReleaseKernel(probe);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(offsets_agree)};
+    return cmocka_run_group_tests(tests, open_device, close_device);
+}
