@@ -122,13 +122,12 @@ static inline tl_interval sphere_interval(
     const tl_interval none = {1.0, -1.0};
     if (sign_of_sum(depth, r, -near) < 0.0 || sign_of_sum(depth, -r, -far) > 0.0)
         return none;
-    if (orthographic) {
-        const tl_interval along = {-largest_x(-c, depth, r, near, far),
-                                   largest_x(c, depth, r, near, far)};
-        return along;
-    }
-    const tl_interval seen = {-largest_slope(-c, depth, r, near, far),
-                              largest_slope(c, depth, r, near, far)};
+    const double left = orthographic ? -largest_x(-c, depth, r, near, far)
+                                     : -largest_slope(-c, depth, r, near, far);
+    const double right = orthographic ? largest_x(c, depth, r, near, far)
+                                      : largest_slope(c, depth, r, near, far);
+    /* A point, or nearly one, may come out in the wrong order by a last place. */
+    const tl_interval seen = {left < right ? left : right, left < right ? right : left};
     return seen;
 }
 
