@@ -1,1 +1,14 @@
 # Tests of this kind, by name.
+
+# What OpenEXR files hold is checked, and hard cases are made, by the library's own C API.
+function(tl_exr_test name)
+    tl_test(${name} unit tl_files OpenEXRCore-3_1)
+    target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/host/files)
+    target_include_directories(${name} SYSTEM PRIVATE ${OPENEXR_INCLUDE_DIRS})
+endfunction()
+
+tl_test(test_file_gbuffer_round_trip unit tl_files)
+tl_exr_test(test_file_gbuffer_standard)
+tl_exr_test(test_file_gbuffer_foreign)
+tl_exr_test(test_file_gbuffer_refusals)
+tl_exr_test(test_file_exr_damaged)

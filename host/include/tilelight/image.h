@@ -54,8 +54,8 @@ float tl_image_auto_exposure(const tl_image *image);
 void tl_image_to_srgb8(const tl_image *image, float exposure, tl_tone tone, uint8_t *rgb);
 
 /* Atomic writers, as tl_gbuffer_write. OpenEXR: channels R, G, B, linear; half is zip-compressed
- * at a low level, float is not compressed: zip takes some 80 times the processor time for 43 % fewer bytes.
- * Fail with TL_ERR_WRITE or TL_ERR_MEMORY. "-" writes a PNG to standard output. */
+ * at a low level, float is not compressed: zip takes some 80 times the processor time for 43 %
+ * fewer bytes. Fail with TL_ERR_WRITE or TL_ERR_MEMORY. "-" writes a PNG to standard output. */
 tl_status tl_image_write_exr(const char *path, const tl_image *image, int half, tl_error *err);
 tl_status tl_png_write(
     const char *path, const uint8_t *rgb, uint32_t width, uint32_t height, tl_error *err);

@@ -1,0 +1,152 @@
+/* Does a G-buffer come back from its file bit for bit, and is the file the same for any number of
+ * threads? */
+#define _POSIX_C_SOURCE 200809L /* setenv */
+#include "file_cases.h"
+
+#include "tilelight/gbuffer_file.h"
+
+static const struct {
+    uint32_t width, height;
+} sizes[] = {{1, 1}, {1, 77}, {130, 1}, {65, 33}, {64, 64}, {257, 40}};
+
+static const uint32_t plane_sets[] = {
+    TL_GROUP_BASE,
+    TL_GROUP_BASE | TL_GROUP_PHONG,
+    TL_GROUP_BASE | TL_GROUP_METAL_ROUGH,
+    TL_GROUP_BASE | TL_GROUP_OCCLUSION,
+    TL_GROUP_BASE | TL_GROUP_EMISSIVE,
+    TL_GROUP_BASE | TL_GROUP_PHONG | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE,
+    TL_GROUP_BASE | TL_GROUP_METAL_ROUGH | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE,
+};
+
+static void assert_round_trip(const char *name, const tl_camera *camera, uint32_t present)
+{
+    char path[512];
+    tl_error err;
+    tl_gbuffer *written = NULL, *read = NULL;
+    tl_light_set lights = {0};
+    bool has_lights = true;
+    scratch_path(path, sizeof path, "round_trip.exr");
+    ASSERT_OK(tl_gbuffer_create(camera, present, &written, &err), err);
+    fill_awkward(written, present + camera->width);
+    ASSERT_OK(tl_gbuffer_write(path, written, NULL, &err), err);
+    ASSERT_OK(tl_gbuffer_read(path, &read, &lights, &has_lights, &err), err);
+    assert_same_gbuffer(name, read, written);
+    assert_false(has_lights);
+    assert_int_equal(lights.count, 0);
+    tl_gbuffer_destroy(read);
+    tl_gbuffer_destroy(written);
+    remove(path);
+}
+
+static void sizes_and_planes(void **state)
+{
+    (void)state;
+    for (size_t s = 0; s < COUNT_OF(sizes); s++)
+        for (size_t p = 0; p < COUNT_OF(plane_sets); p++) {
+            char name[64];
+            const tl_camera camera = awkward_camera(sizes[s].width, sizes[s].height);
+            snprintf(name, sizeof name, "%u x %u, planes %x", sizes[s].width, sizes[s].height,
+                     plane_sets[p]);
+            assert_round_trip(name, &camera, plane_sets[p]);
+        }
+}
+
+static void cameras(void **state)
+{
+    (void)state;
+    tl_camera camera = awkward_camera(5, 4);
+    camera.far = INFINITY;
+    camera.near = 0x1.fffffep-100f;
+    assert_round_trip("infinite far plane", &camera, TL_GROUP_BASE);
+    camera.view_from_world[0][3] = -0.0f;
+    camera.view_from_world[1][3] = 0x1p-149f;
+    assert_round_trip("placed at -0 and a denormal", &camera, TL_GROUP_BASE);
+    camera.projection = TL_ORTHOGRAPHIC;
+    camera.near = -3.0f;
+    camera.left = -100.5f;
+    assert_round_trip("orthographic from behind", &camera, TL_GROUP_BASE);
+}
+
+static void lights_go_along(void **state)
+{
+    (void)state;
+    char path[512];
+    tl_error err;
+    tl_gbuffer *written = NULL, *read = NULL;
+    tl_light_set lights = {.ambient = {0.1f, 0.2f, 0.3f}}, back = {0};
+    bool has_lights = false;
+    const tl_camera camera = awkward_camera(3, 2);
+    tl_light light = tl_light_default();
+    light.intensity = 1.0f / 3.0f;
+    strcpy(light.name, "one \"third\"");
+    ASSERT_OK(tl_light_set_add(&lights, &light, &err), err);
+    ASSERT_OK(tl_gbuffer_create(&camera, TL_GROUP_BASE, &written, &err), err);
+    scratch_path(path, sizeof path, "lights.exr");
+    ASSERT_OK(tl_gbuffer_write(path, written, &lights, &err), err);
+
+    ASSERT_OK(tl_gbuffer_read(path, &read, NULL, NULL, &err), err);
+    tl_gbuffer_destroy(read);
+    ASSERT_OK(tl_gbuffer_read(path, &read, &back, &has_lights, &err), err);
+    assert_true(has_lights);
+    assert_int_equal(back.count, 1);
+    assert_memory_equal(back.ambient, lights.ambient, sizeof back.ambient);
+    assert_true(same_bits(back.lights[0].intensity, light.intensity));
+    assert_string_equal(back.lights[0].name, light.name);
+
+    tl_light_set_clear(&back);
+    tl_light_set_clear(&lights);
+    tl_gbuffer_destroy(read);
+    tl_gbuffer_destroy(written);
+    remove(path);
+}
+
+/* 300 rows are more than any number of threads takes at once. */
+static void threads_change_nothing(void **state)
+{
+    static const char *const threads[] = {"1", "2", "7"};
+    (void)state;
+    char path[512];
+    tl_error err;
+    tl_gbuffer *gbuffer = NULL;
+    unsigned char *first = NULL;
+    size_t first_size = 0;
+    const tl_camera camera = awkward_camera(33, 300);
+    ASSERT_OK(tl_gbuffer_create(&camera, TL_GROUP_BASE | TL_GROUP_EMISSIVE, &gbuffer, &err),
+              err);
+    fill_awkward(gbuffer, 3);
+    scratch_path(path, sizeof path, "threads.exr");
+    for (size_t i = 0; i < COUNT_OF(threads); i++) {
+        tl_gbuffer *read = NULL;
+        size_t size = 0;
+        setenv("TILELIGHT_THREADS", threads[i], 1);
+        ASSERT_OK(tl_gbuffer_write(path, gbuffer, NULL, &err), err);
+        ASSERT_OK(tl_gbuffer_read(path, &read, NULL, NULL, &err), err);
+        assert_same_gbuffer(threads[i], read, gbuffer);
+        unsigned char *bytes = load_bytes(path, &size);
+        if (first) {
+            assert_int_equal(size, first_size);
+            assert_memory_equal(bytes, first, size);
+            free(bytes);
+        } else {
+            first = bytes;
+            first_size = size;
+        }
+        tl_gbuffer_destroy(read);
+    }
+    unsetenv("TILELIGHT_THREADS");
+    free(first);
+    tl_gbuffer_destroy(gbuffer);
+    remove(path);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(sizes_and_planes),
+        cmocka_unit_test(cameras),
+        cmocka_unit_test(lights_go_along),
+        cmocka_unit_test(threads_change_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
