@@ -15,13 +15,14 @@ SPRING, CORNICE = 4.4, 7.0    # m, where the arches and where the vault begin
 BACK = FRONT - BAY * BAYS
 # name: colour, candela, range in m, radius of the globe
 LANTERNS = {
-    "candle": ((1.0, 0.58, 0.22), 1.5, 3.2, 0.07),
-    "amber": ((1.0, 0.42, 0.12), 1.6, 3.2, 0.07),
-    "rose": ((1.0, 0.25, 0.30), 1.3, 3.0, 0.07),
-    "brazier": ((1.0, 0.50, 0.18), 6.0, 5.0, 0.16),
-    "ice": ((0.30, 0.60, 1.0), 1.2, 3.0, 0.05),
-    "teal": ((0.15, 0.85, 0.80), 1.0, 2.8, 0.05),
-    "cove": ((0.25, 0.38, 1.0), 3.0, 4.2, 0.06)}
+    "candle": ((1.0, 0.58, 0.22), 0.9, 3.4, 0.10),
+    "amber": ((1.0, 0.40, 0.10), 0.9, 3.4, 0.10),
+    "rose": ((1.0, 0.20, 0.28), 0.9, 3.4, 0.10),
+    "brazier": ((1.0, 0.46, 0.16), 3.0, 5.0, 0.17),
+    "ice": ((0.25, 0.50, 1.0), 0.8, 3.2, 0.06),
+    "teal": ((0.10, 0.80, 0.75), 0.8, 3.2, 0.06),
+    "cove": ((0.20, 0.30, 1.0), 1.6, 4.6, 0.06),
+    "pendant": ((1.0, 0.72, 0.45), 3.2, 6.0, 0.20)}
 
 
 def materials(scene):
@@ -40,7 +41,8 @@ def materials(scene):
         "vault": scene.add_material("vault", base=(0.62, 0.60, 0.64), metal=1.0,
                                     **textures("coffer", color=False)),
         "marble": scene.add_material("marble", base=(0.80, 0.77, 0.72), rough=0.38),
-        "brass": scene.add_material("brass", base=(0.91, 0.72, 0.38), metal=1.0, rough=0.34)}
+        # Half metal: under point lights alone a pure metal is black but for its highlights.
+        "brass": scene.add_material("brass", base=(0.91, 0.66, 0.32), metal=0.5, rough=0.42)}
     for name, (color, *_) in LANTERNS.items():
         made[name] = scene.add_material(name, base=(0.1, 0.1, 0.1), rough=0.9, emissive=color,
                                         strength=2.0)
@@ -80,7 +82,8 @@ def add_columns(scene, made):
 
 
 def add_arcades(scene, made):
-    """Walls over the columns: per bay a spandrel and the moulded band of its arch."""
+    """Walls over the columns: per bay a spandrel and the moulded band of its arch. They go 2 cm
+    into the capitals, so that no two surfaces share a plane."""
     wall = shapes.spandrel(BAY / 2, 1.45, CORNICE - SPRING, 0.8, 24)
     wall.uvs = [(u / 2, v / 2) for u, v in wall.uvs]
     band = shapes.arch_band(1.38, 0.22, 0.96, 24)
@@ -91,7 +94,7 @@ def add_arcades(scene, made):
     for side in (-1, 1):
         for bay in range(BAYS):
             scene.add_node("arcade %s %d" % ("left" if side < 0 else "right", bay), mesh=mesh,
-                           translation=(side * NAVE, SPRING, FRONT - BAY * (bay + 0.5)),
+                           translation=(side * NAVE, SPRING - 0.02, FRONT - BAY * (bay + 0.5)),
                            rotation=(0, side * -quarter, 0, quarter))
 
 
@@ -178,19 +181,22 @@ def places():
         for i in range(9):  # a string across the nave from column to column, a chain's curve
             x = (i - 4) / 4 * 3.5
             yield warm[(i + bay) % 3], (x, 5.1 - 1.1 * (1 - (x / 3.5) ** 2), z - 2.0)
+        yield "pendant", (0.0, 8.3, z)
         for side in (-1, 1):
             yield "brazier", (side * 2.75, 1.08, z)
             for i in range(4):  # along the aisle's outer wall, under the ceiling and at the floor
                 at = z + (i - 1.5) * BAY / 4
                 yield ("ice", "teal")[(i + bay) % 2], (side * (AISLE - 0.35), 0.12, at)
                 yield "cove", (side * (NAVE - 0.75), CORNICE + 0.1, at)
+                if i % 2:
+                    yield "cove", (side * 5.8, CORNICE - 0.4, at - 0.5)
             for i in range(3):
                 yield warm[(i + bay) % 3], (side * 5.7, 3.0 - 0.35 * (1 - abs(i - 1)),
                                             z + (i - 1) * 1.3)
 
 
 def lantern(kind, radius):
-    """(globe, brass): a globe in two rings, and for a brazier the stand below."""
+    """(globe, brass): a globe in two rings; a brazier has a stand, a pendant a chain."""
     globe = shapes.sphere(radius, 16, 10)
     rings = shapes.torus(radius * 0.75, radius * 0.14, 20, 6)
     brass = rings.moved(0, radius * 0.72, 0).add(rings.moved(0, -radius * 0.72, 0))
@@ -199,6 +205,8 @@ def lantern(kind, radius):
             [[(0.04, -0.9), (0.04, -0.25)], [(0.04, -0.25), (0.16, -0.2), (0.24, -0.1), (0.27, 0.03)],
              [(0.25, 0.03), (0.20, -0.08), (0.02, -0.12)],
              [(0.25, -1.08), (0.22, -1.02), (0.05, -0.98), (0.04, -0.9)]], 24))
+    if kind == "pendant":
+        brass.add(shapes.revolved([[(0.02, radius), (0.02, CORNICE + NAVE - 8.3)]], 8))
     return globe, brass
 
 
@@ -217,7 +225,7 @@ def add_lanterns(scene, made):
 
 
 def add_cameras(scene):
-    for name, fov, place, turn in (("nave", 62, (0.9, 1.75, 0.6), (2.5, 2.5)),
+    for name, fov, place, turn in (("nave", 60, (1.3, 2.3, 1.0), (4.0, 5.5)),
                                    ("aisle", 65, (5.9, 1.7, 1.0), (2.0, 8.0)),
                                    ("gallery", 58, (-2.6, 6.4, -1.0), (-12.0, -8.0))):
         eye = scene.append("cameras", {"type": "perspective", "name": name, "perspective":

@@ -10,11 +10,11 @@ import math
 from . import shapes
 from .document import Document
 
-WHOLE_SCREEN = ("whole screen", (0, 7, 2), (1.0, 0.95, 0.88), 14.0)  # no range: reaches all
-SPHERES = (("left sphere", (-3.1, 0.9, 1.9), (0.25, 0.55, 1.0), 9.0, 3.2),
-           ("right sphere", (3.1, 0.9, 1.9), (1.0, 0.35, 0.2), 9.0, 3.2))
-CONE_COLORS = ((1.0, 0.25, 0.15), (1.0, 0.8, 0.2), (0.3, 1.0, 0.3), (0.2, 0.95, 1.0),
-               (0.3, 0.4, 1.0), (1.0, 0.3, 0.9))
+WHOLE_SCREEN = ("whole screen", (0, 7, 2), (1.0, 0.95, 0.88), 16.0)  # no range: reaches all
+SPHERES = (("left sphere", (-3.1, 0.9, 1.9), (0.15, 0.40, 1.0), 2.0, 3.6),
+           ("right sphere", (3.1, 0.9, 1.9), (1.0, 0.24, 0.10), 2.0, 3.6))
+CONE_COLORS = ((1.0, 0.15, 0.08), (1.0, 0.65, 0.1), (0.15, 1.0, 0.2), (0.1, 0.8, 1.0),
+               (0.2, 0.25, 1.0), (1.0, 0.15, 0.75))
 CONE_HEIGHT, CONE_RING, CONE_RANGE = 3.4, 3.0, 4.6
 CONE_ANGLES = (0.3, 0.45)  # inner, outer half-angle, radians
 
@@ -39,8 +39,8 @@ def bodies():
             (0.3, 1.25)]
     turned_box = shapes.box(0.9, 0.9, 0.9).mapped(shapes.turn_y(30))
     return (
-        ("middle sphere", shapes.sphere(0.9, 64, 32), (0, 0.9, 0), (0.9, 0.9, 0.92), 1.0, 0.32),
-        ("ring", shapes.torus(1.45, 0.14, 72, 16), (0, 0.14, 0), (0.95, 0.75, 0.4), 1.0, 0.28),
+        ("middle sphere", shapes.sphere(0.9, 64, 32), (0, 0.9, 0), (0.92, 0.9, 0.88), 0.6, 0.42),
+        ("ring", shapes.torus(1.45, 0.14, 72, 16), (0, 0.14, 0), (0.95, 0.72, 0.35), 0.6, 0.4),
         ("cone", cone, (-2.6, 0, -1.5), (0.8, 0.8, 0.8), 0.0, 0.45),
         ("cylinder", cylinder, (0, 0, -3.0), (0.75, 0.75, 0.78), 0.0, 0.3),
         ("box", turned_box, (2.6, 0.45, -1.5), (0.8, 0.78, 0.74), 0.0, 0.6),
@@ -68,7 +68,9 @@ def document():
     stone = scene.add_material("floor", base=(0.5, 0.5, 0.5), rough=0.4)
     scene.add_node("floor", mesh=scene.add_mesh("floor", scene.primitive(floor, stone)))
     for name, mesh, place, color, metal, rough in bodies():
-        material = scene.add_material(name, base=color, metal=metal, rough=rough)
+        # The vase is open at the top.
+        material = scene.add_material(name, base=color, metal=metal, rough=rough,
+                                      doubleSided=name == "vase")
         scene.add_node(name, translation=place,
                        mesh=scene.add_mesh(name, scene.primitive(mesh, material)))
     name, place, color, intensity = WHOLE_SCREEN
@@ -78,7 +80,7 @@ def document():
         scene.add_node(name, translation=place,
                        light=scene.add_light(name, "point", color, intensity, light_range))
     for name, place, color, turn in cones():
-        light = scene.add_light(name, "spot", color, 60.0, CONE_RANGE, CONE_ANGLES)
+        light = scene.add_light(name, "spot", color, 20.0, CONE_RANGE, CONE_ANGLES)
         scene.add_node(name, translation=place, rotation=turn, light=light)
     eye = scene.append("cameras", {"type": "perspective", "name": "view", "perspective":
                                    {"yfov": 0.72, "znear": 0.1, "zfar": 60.0}})
@@ -96,7 +98,7 @@ def lights():
     rows = [point(*WHOLE_SCREEN)]
     rows += [point(*sphere[:4], range=sphere[4]) for sphere in SPHERES]
     for name, place, color, _ in cones():
-        rows.append(point(name, (place[0] * 1.2, 0.8, place[2] * 1.2), color, 6.0, range=1.7))
+        rows.append(point(name, (place[0] * 1.2, 0.7, place[2] * 1.2), color, 0.9, range=1.9))
     lines = ",\n    ".join(json.dumps(row) for row in rows)
     text = '{\n  "tilelight": 1,\n  "ambient": [0.02, 0.02, 0.02],\n  "lights": [\n    %s\n  ]\n}\n'
     return (text % lines).encode()
