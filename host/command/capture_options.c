@@ -1,0 +1,27 @@
+#include "capture_options.h"
+
+#include "values.h"
+
+enum { OPTION_SIZE = 256, OPTION_CAMERA };
+
+static error_t parse(int key, char *text, struct argp_state *state)
+{
+    tl_capture_options *options = state->input;
+    switch (key) {
+    case OPTION_SIZE:
+        value_size(state, "--size", text, &options->width, &options->height);
+        return 0;
+    case OPTION_CAMERA: options->camera = text; return 0;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_option options_table[] = {
+    {"size", OPTION_SIZE, "WIDTHxHEIGHT", 0, "Pixels, each 1 to 16384 (default 1280x720)", 0},
+    {"camera", OPTION_CAMERA, "NAME|INDEX", 0,
+     "A camera of the file (default: the first of its scene, else a view of the whole scene)",
+     0},
+    {0},
+};
+
+const struct argp capture_argp = {.options = options_table, .parser = parse};

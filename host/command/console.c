@@ -1,0 +1,54 @@
+#define _POSIX_C_SOURCE 200809L
+#include "console.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+static bool is_quiet, stage_shown;
+
+void console_quiet(bool quiet)
+{
+    is_quiet = quiet;
+}
+
+void console_stage(const char *stage)
+{
+    /* Back to the line's start, and what stands there erased (ECMA-48, EL). */
+    static const char clear_line[] = "\r\033[K";
+    if (stage_shown)
+        fputs(clear_line, stderr);
+    stage_shown = stage && !is_quiet && isatty(STDERR_FILENO);
+    if (stage_shown)
+        fprintf(stderr, "tilelight: %s ...", stage);
+    fflush(stderr);
+}
+
+static void say(void *context, const char *sentence)
+{
+    (void)context;
+    if (is_quiet)
+        return;
+    console_stage(NULL);
+    fprintf(stderr, "tilelight: %s\n", sentence);
+}
+
+const tl_notices console_notices = {.say = say};
+
+int console_finish(tl_status status, const tl_error *err)
+{
+    console_stage(NULL);
+    if (status != TL_OK)
+        fprintf(stderr, "tilelight: %s\n", err->message);
+    return tl_exit_status(status);
+}
+
+tl_status console_flush(tl_error *err)
+{
+    errno = 0;
+    if (fflush(stdout) == 0 && !ferror(stdout))
+        return TL_OK;
+    return tl_fail(err, TL_ERR_WRITE, "standard output could not be written: %s",
+                   errno ? strerror(errno) : "an earlier write failed");
+}

@@ -1,0 +1,26 @@
+/* What the program says on standard error: errors, notices, and the stage it is in. One process,
+ * one standard error, so the state is the module's. */
+#ifndef TL_CONSOLE_H
+#define TL_CONSOLE_H
+
+#include "tilelight/report.h"
+
+#include <stdbool.h>
+
+/* Silences notices and progress; errors stay. */
+void console_quiet(bool quiet);
+
+/* Shows the stage on a line of its own that the next one overwrites; nothing unless standard error
+ * is a terminal. NULL clears the line. */
+void console_stage(const char *stage);
+
+/* For functions that take tl_notices: each sentence on a line, "tilelight: " in front. */
+extern const tl_notices console_notices;
+
+/* Says err->message and returns the exit status of `status`. TL_OK says nothing. */
+int console_finish(tl_status status, const tl_error *err);
+
+/* Ends standard output: TL_ERR_WRITE where something written to it did not arrive. */
+tl_status console_flush(tl_error *err);
+
+#endif

@@ -1,0 +1,201 @@
+/* tilelight info: what is in a file. */
+#include "info.h"
+
+#include "commands.h"
+#include "console.h"
+#include "number_json.h"
+#include "report_options.h"
+#include "tilelight/gbuffer_file.h"
+#include "try.h"
+#include "values.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+typedef struct info_command {
+    const char *path;
+    report_options report;
+} info_command;
+
+static error_t parse(int key, char *text, struct argp_state *state)
+{
+    static const char *const names[] = {"FILE"};
+    info_command *options = state->input;
+    const value_arguments arguments = {names, &options->path, 1};
+    if (key == ARGP_KEY_INIT) {
+        state->child_inputs[0] = &options->report;
+        return 0;
+    }
+    return value_argument(key, text, state, &arguments);
+}
+
+static const struct argp_child children[] = {{&json_argp, 0, NULL, 0}, {0}};
+
+static const struct argp argp = {
+    .parser = parse,
+    .args_doc = "FILE",
+    .doc =
+        "Says what is in a G-buffer, a picture (OpenEXR or PNG) or a lights file, told apart "
+        "by their first bytes.",
+    .children = children,
+};
+
+info_values info_measure(
+    const float *plane, const float *depth, uint32_t width, uint32_t height, uint32_t pitch)
+{
+    info_values out = {.least = INFINITY, .most = -INFINITY};
+    double sum = 0.0;
+    for (size_t y = 0; y < height; y++)
+        for (size_t x = 0; x < width; x++) {
+            const double value = (double)plane[y * pitch + x];
+            if (depth && depth[y * pitch + x] == INFINITY)
+                continue;
+            out.count++;
+            if (!isfinite(value)) {
+                out.not_finite_count++;
+                continue;
+            }
+            sum += value;
+            out.least = fmin(out.least, value);
+            out.most = fmax(out.most, value);
+        }
+    if (out.count == out.not_finite_count)
+        out.least = out.most = 0.0;
+    else
+        out.mean = sum / (double)(out.count - out.not_finite_count);
+    return out;
+}
+
+void info_print_values(const char *name, const info_values *v)
+{
+    printf("%-12s %12.6g %12.6g %12.6g", name, v->least, v->mean, v->most);
+    if (v->not_finite_count > 0)
+        printf("   %" PRIu64 " not finite", v->not_finite_count);
+    putchar('\n');
+}
+
+json_t *info_values_json(const info_values *v)
+{
+    return json_pack("{sf sf sf sI}", "min", v->least, "mean", v->mean, "max", v->most,
+                     "not_finite", (json_int_t)v->not_finite_count);
+}
+
+static const char *const channel_names[] = {"R", "G", "B"};
+
+static tl_status picture_info(const tl_image *image, bool is_png, bool json, tl_error *err)
+{
+    const char *kind = is_png ? "PNG" : "OpenEXR";
+    json_t *channels = json_object();
+    if (!json)
+        printf("picture     %s, %u x %u pixels\n%-12s %12s %12s %12s\n", kind, image->width,
+               image->height, "channel", "min", "mean", "max");
+    for (unsigned c = 0; c < 3; c++) {
+        const info_values values = info_measure(tl_image_plane(image, c), NULL, image->width,
+                                                image->height, image->pitch);
+        if (json)
+            json_object_set_new(channels, channel_names[c], info_values_json(&values));
+        else
+            info_print_values(channel_names[c], &values);
+    }
+    if (json)
+        return number_json_print(json_pack("{ss ss s[ii] so}", "kind", "picture", "format",
+                                           kind, "size", (int)image->width, (int)image->height,
+                                           "channels", channels),
+                                 err);
+    json_decref(channels);
+    return TL_OK;
+}
+
+/* An OpenEXR file is a G-buffer, else a picture. Where it is neither, both reasons are said. */
+static tl_status exr_info(const char *path, bool json, tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_gbuffer *gbuffer = NULL;
+    tl_image *image = NULL;
+    tl_light_set lights = {0};
+    bool has_lights = false;
+    tl_error other;
+
+    if (tl_gbuffer_read(path, &gbuffer, &lights, &has_lights, err) == TL_OK) {
+        if (json)
+            TRY(number_json_print(info_gbuffer_json(gbuffer, &lights, has_lights), err));
+        else
+            info_print_gbuffer(gbuffer, &lights, has_lights);
+    } else if (tl_image_read(path, &image, NULL, &other) == TL_OK) {
+        TRY(picture_info(image, false, json, err));
+    } else {
+        char reason[1024];
+        snprintf(reason, sizeof reason, "%.1000s", err->message);
+        TRY(tl_fail(err, err->status, "neither a G-buffer (%s) nor a picture (%.1000s)", reason,
+                    other.message));
+    }
+done:
+    tl_image_destroy(image);
+    tl_light_set_clear(&lights);
+    tl_gbuffer_destroy(gbuffer);
+    return status;
+}
+
+static tl_status png_info(const char *path, bool json, tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_image *image = NULL;
+    TRY(tl_image_read(path, &image, NULL, err));
+    TRY(picture_info(image, true, json, err));
+done:
+    tl_image_destroy(image);
+    return status;
+}
+
+static tl_status lights_info(const char *path, bool json, tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_light_set lights = {0};
+    TRY(tl_lights_read(path, &lights, err));
+    if (json) {
+        json_t *report = json_pack("{ss}", "kind", "lights");
+        json_object_set_new(report, "lights", info_lights_json(&lights));
+        TRY(number_json_print(report, err));
+    } else {
+        info_print_lights(&lights);
+    }
+done:
+    tl_light_set_clear(&lights);
+    return status;
+}
+
+/* By the first bytes of a file; what is none of these is read as lights. */
+static const struct {
+    unsigned char magic[4];
+    tl_status (*describe)(const char *path, bool json, tl_error *err);
+} kinds[] = {
+    {{0x76, 0x2f, 0x31, 0x01}, exr_info},
+    {{0x89, 'P', 'N', 'G'}, png_info},
+};
+
+static tl_status run(const info_command *options, tl_error *err)
+{
+    unsigned char first[4] = {0};
+    FILE *file = fopen(options->path, "rb");
+    if (!file)
+        return tl_fail(err, TL_ERR_READ, "%s: cannot be opened: %s", options->path,
+                       strerror(errno));
+    const size_t size = fread(first, 1, sizeof first, file);
+    fclose(file);
+    for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++)
+        if (size == sizeof first && memcmp(first, kinds[i].magic, sizeof first) == 0)
+            return kinds[i].describe(options->path, options->report.json, err);
+    return lights_info(options->path, options->report.json, err);
+}
+
+int command_info(int argc, char **argv)
+{
+    info_command options = {0};
+    tl_error err;
+    argp_parse(&argp, argc, argv, 0, NULL, &options);
+    return console_finish(run(&options, &err), &err);
+}

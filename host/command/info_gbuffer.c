@@ -1,0 +1,106 @@
+#include "info.h"
+#include "number_json.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+
+static const struct {
+    const char *channel;
+} planes[TL_PLANE_COUNT] = {
+#define PLANE_ROW(name, channel, empty, meaning) [name] = {channel},
+    TL_PLANES(PLANE_ROW)
+#undef PLANE_ROW
+};
+
+static double degrees(double tangent_up, double tangent_down)
+{
+    return (atan(tangent_up) - atan(tangent_down)) * 57.29577951308232;
+}
+
+static info_values measure(const tl_gbuffer *g, enum tl_plane plane)
+{
+    return info_measure(tl_gbuffer_plane(g, plane), tl_gbuffer_plane(g, TL_DEPTH),
+                        g->camera.width, g->camera.height, g->pitch);
+}
+
+static double coverage(const tl_gbuffer *g)
+{
+    const info_values depth = measure(g, TL_DEPTH);
+    return (double)depth.count / ((double)g->camera.width * (double)g->camera.height);
+}
+
+static void eye_of(const tl_camera *c, double eye[3], double towards[3])
+{
+    static const double origin[3] = {0.0, 0.0, 0.0}, forwards[3] = {0.0, 0.0, -1.0};
+    tl_camera_world_point(c, origin, eye);
+    tl_camera_world_direction(c, forwards, towards);
+}
+
+static void print_camera(const tl_camera *c)
+{
+    double eye[3], towards[3];
+    eye_of(c, eye, towards);
+    printf("camera      at (%.6g, %.6g, %.6g) m, looking along (%.6g, %.6g, %.6g)\n", eye[0],
+           eye[1], eye[2], towards[0], towards[1], towards[2]);
+    if (c->projection == TL_PERSPECTIVE)
+        printf("            perspective, %.6g x %.6g degrees",
+               degrees((double)c->right, (double)c->left),
+               degrees((double)c->top, (double)c->bottom));
+    else
+        printf("            orthographic, %.6g x %.6g m", (double)(c->right - c->left),
+               (double)(c->top - c->bottom));
+    printf(", near %.6g m, far %.6g m\n", (double)c->near, (double)c->far);
+}
+
+void info_print_gbuffer(const tl_gbuffer *g, const tl_light_set *lights, int has_lights)
+{
+    printf("G-buffer    %u x %u pixels, %.2f %% covered\n", g->camera.width, g->camera.height,
+           100.0 * coverage(g));
+    print_camera(&g->camera);
+    printf("%-12s %12s %12s %12s\n", "plane", "min", "mean", "max");
+    for (enum tl_plane p = 0; p < TL_PLANE_COUNT; p++) {
+        if (!tl_gbuffer_plane(g, p))
+            continue;
+        const info_values values = measure(g, p);
+        info_print_values(planes[p].channel, &values);
+    }
+    if (has_lights)
+        info_print_lights(lights);
+    else
+        puts("no lights inside");
+}
+
+static json_t *camera_json(const tl_camera *c)
+{
+    double eye[3], towards[3];
+    eye_of(c, eye, towards);
+    json_t *out =
+        json_pack("{ss s[fff] s[fff]}", "projection",
+                  c->projection == TL_PERSPECTIVE ? "perspective" : "orthographic", "position",
+                  eye[0], eye[1], eye[2], "direction", towards[0], towards[1], towards[2]);
+    if (c->projection == TL_PERSPECTIVE)
+        json_object_set_new(out, "field_of_view_degrees",
+                            json_pack("[ff]", degrees((double)c->right, (double)c->left),
+                                      degrees((double)c->top, (double)c->bottom)));
+    const float edges[] = {c->left, c->right, c->bottom, c->top};
+    json_object_set_new(out, "left_right_bottom_top", number_json_array(edges, 4));
+    json_object_set_new(out, "near", number_json((double)c->near));
+    json_object_set_new(out, "far", number_json((double)c->far));
+    return out;
+}
+
+json_t *info_gbuffer_json(const tl_gbuffer *g, const tl_light_set *lights, int has_lights)
+{
+    json_t *measured = json_object();
+    for (enum tl_plane p = 0; p < TL_PLANE_COUNT; p++) {
+        if (!tl_gbuffer_plane(g, p))
+            continue;
+        const info_values values = measure(g, p);
+        json_object_set_new(measured, planes[p].channel, info_values_json(&values));
+    }
+    return json_pack("{ss s[ii] sf so so so}", "kind", "gbuffer", "size", (int)g->camera.width,
+                     (int)g->camera.height, "coverage", coverage(g), "camera",
+                     camera_json(&g->camera), "planes", measured, "lights",
+                     has_lights ? info_lights_json(lights) : json_null());
+}

@@ -1,0 +1,80 @@
+#include "info.h"
+#include "number_json.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static const char *const type_words[] = {
+#define TYPE_WORD(name, word) [name] = word,
+    TL_LIGHT_TYPES(TYPE_WORD)
+#undef TYPE_WORD
+};
+
+/* Of the lights of one type. Ranges: over those that have one. */
+typedef struct type_info {
+    size_t count, ranged_count;
+    double least_range, most_range, least_intensity, most_intensity;
+} type_info;
+
+static type_info type_info_of(const tl_light_set *set, tl_light_type type)
+{
+    type_info out = {.least_range = INFINITY, .least_intensity = INFINITY};
+    for (size_t i = 0; i < set->count; i++) {
+        const tl_light *light = &set->lights[i];
+        if (light->type != type)
+            continue;
+        out.count++;
+        out.least_intensity = fmin(out.least_intensity, (double)light->intensity);
+        out.most_intensity = fmax(out.most_intensity, (double)light->intensity);
+        if (type == TL_LIGHT_DIRECTIONAL || isinf(light->range))
+            continue;
+        out.ranged_count++;
+        out.least_range = fmin(out.least_range, (double)light->range);
+        out.most_range = fmax(out.most_range, (double)light->range);
+    }
+    return out;
+}
+
+void info_print_lights(const tl_light_set *set)
+{
+    printf("lights      %zu, ambient (%.6g, %.6g, %.6g), sky (%.6g, %.6g, %.6g)\n", set->count,
+           (double)set->ambient[0], (double)set->ambient[1], (double)set->ambient[2],
+           (double)set->sky[0], (double)set->sky[1], (double)set->sky[2]);
+    for (tl_light_type type = 0; type < TL_LIGHT_TYPE_COUNT; type++) {
+        const type_info info = type_info_of(set, type);
+        if (info.count == 0)
+            continue;
+        printf("%-11s %zu, intensity %.6g to %.6g", type_words[type], info.count,
+               info.least_intensity, info.most_intensity);
+        if (info.ranged_count > 0)
+            printf(", range %.6g to %.6g m", info.least_range, info.most_range);
+        if (info.ranged_count < info.count && type != TL_LIGHT_DIRECTIONAL)
+            printf(", %zu without range", info.count - info.ranged_count);
+        putchar('\n');
+    }
+}
+
+static json_t *type_json(const type_info *info)
+{
+    json_t *out = json_pack("{sI s[ff]}", "count", (json_int_t)info->count, "intensity",
+                            info->least_intensity, info->most_intensity);
+    if (info->ranged_count > 0)
+        json_object_set_new(out, "range",
+                            json_pack("[ff]", info->least_range, info->most_range));
+    json_object_set_new(out, "without_range",
+                        json_integer((json_int_t)(info->count - info->ranged_count)));
+    return out;
+}
+
+json_t *info_lights_json(const tl_light_set *set)
+{
+    json_t *types = json_object();
+    for (tl_light_type type = 0; type < TL_LIGHT_TYPE_COUNT; type++) {
+        const type_info info = type_info_of(set, type);
+        if (info.count > 0)
+            json_object_set_new(types, type_words[type], type_json(&info));
+    }
+    return json_pack("{sI so so so}", "count", (json_int_t)set->count, "ambient",
+                     number_json_array(set->ambient, 3), "sky", number_json_array(set->sky, 3),
+                     "types", types);
+}

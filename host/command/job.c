@@ -1,0 +1,179 @@
+#include "job.h"
+
+#include "console.h"
+#include "number_json.h"
+#include "tilelight/gbuffer_file.h"
+#include "try.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+tl_status job_begin(job *j, const report_options *options, tl_error *err)
+{
+    if (options->json && !(j->report = json_object()))
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for the report");
+    return TL_OK;
+}
+
+void job_report(job *j, const char *key, json_t *value)
+{
+    if (j->report)
+        json_object_set_new(j->report, key, value);
+    else
+        json_decref(value);
+}
+
+tl_status job_read_lights(job *j, const char *path, tl_error *err)
+{
+    tl_status status = TL_OK;
+    if (!path)
+        return status;
+    const double start = tl_seconds();
+    console_stage("reading lights");
+    TRY(tl_lights_read(path, &j->lights, err));
+    j->lights_given = true;
+    tl_timings_end(&j->timings, "read lights", start);
+done:
+    return status;
+}
+
+bool job_has_lights(const job *j)
+{
+    bool any = j->lights.count > 0;
+    for (int i = 0; i < 3; i++)
+        any = any || j->lights.ambient[i] > 0.0f || j->lights.sky[i] > 0.0f;
+    return any;
+}
+
+tl_status job_repair(job *j, const char *name, bool strict, tl_error *err)
+{
+    const double start = tl_seconds();
+    const tl_status status = tl_gbuffer_repair(j->gbuffer, name, strict, &j->repairs, err);
+    const tl_repairs *r = &j->repairs;
+    if (status != TL_OK)
+        return status;
+    tl_timings_end(&j->timings, "repair", start);
+    if (r->depth + r->normal + r->value > 0)
+        tl_notice(&console_notices,
+                  "%s: repaired pixels: %" PRIu64 " of depth, %" PRIu64
+                  " of the normal, %" PRIu64
+                  " of other channels; --strict refuses such a frame",
+                  name, r->depth, r->normal, r->value);
+    job_report(
+        j, "size",
+        json_pack("[ii]", (int)j->gbuffer->camera.width, (int)j->gbuffer->camera.height));
+    job_report(j, "repairs",
+               json_pack("{sI sI sI}", "depth", (json_int_t)r->depth, "normal",
+                         (json_int_t)r->normal, "value", (json_int_t)r->value));
+    return TL_OK;
+}
+
+tl_status job_read(job *j, const char *path, bool strict, tl_error *err)
+{
+    tl_status status = TL_OK;
+    const double start = tl_seconds();
+    console_stage("reading the G-buffer");
+    TRY(tl_gbuffer_read(path, &j->gbuffer, j->lights_given ? NULL : &j->lights, NULL, err));
+    tl_timings_end(&j->timings, "read", start);
+    TRY(job_repair(j, path, strict, err));
+done:
+    return status;
+}
+
+/* Beyond this many stops from where `auto` would be, a PNG shows next to nothing. */
+static const float far_off_stops = 6.0f;
+
+static float choose_exposure(job *j, const picture_options *options)
+{
+    const float automatic = tl_image_auto_exposure(j->image);
+    const float chosen = options->automatic ? automatic : options->exposure;
+    if (fabsf(automatic - chosen) > far_off_stops)
+        tl_notice(&console_notices,
+                  "the picture is very %s at %+.1f stops; --exposure auto would choose %+.1f",
+                  automatic > chosen ? "dark" : "bright", (double)chosen, (double)automatic);
+    job_report(j, "exposure", json_real((double)chosen));
+    return chosen;
+}
+
+/* The 8-bit picture is made once, however many PNGs there are. */
+static tl_status make_rgb(job *j, const picture_options *options, uint8_t **rgb, tl_error *err)
+{
+    const tl_image *image = j->image;
+    if (*rgb)
+        return TL_OK;
+    const double start = tl_seconds();
+    *rgb = malloc(3 * (size_t)image->width * image->height);
+    if (!*rgb)
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for a picture of %u x %u pixels",
+                       image->width, image->height);
+    tl_image_to_srgb8(image, choose_exposure(j, options), options->tone, *rgb);
+    tl_timings_end(&j->timings, "tone", start);
+    return TL_OK;
+}
+
+tl_status job_write_pictures(job *j, const picture_options *options, tl_error *err)
+{
+    tl_status status = TL_OK;
+    json_t *names = json_array();
+    uint8_t *rgb = NULL;
+
+    console_stage("writing");
+    for (int i = 0; i < options->count; i++) {
+        const char *path = options->paths[i];
+        if (options->kinds[i] != OUTPUT_EXR)
+            TRY(make_rgb(j, options, &rgb, err));
+        const double start = tl_seconds();
+        if (options->kinds[i] == OUTPUT_EXR)
+            TRY(tl_image_write_exr(path, j->image, options->half, err));
+        else
+            TRY(tl_png_write(path, rgb, j->image->width, j->image->height, err));
+        tl_timings_end(&j->timings, "write", start);
+        json_array_append_new(names, json_string(path));
+    }
+    job_report(j, "outputs", json_incref(names));
+done:
+    json_decref(names);
+    free(rgb);
+    return status;
+}
+
+static void print_timings(const tl_timings *timings)
+{
+    double sum = 0.0;
+    for (int i = 0; i < timings->count; i++) {
+        fprintf(stderr, "%-12s %10.2f ms\n", timings->stages[i].name, timings->stages[i].ms);
+        sum += timings->stages[i].ms;
+    }
+    fprintf(stderr, "%-12s %10.2f ms\n", "sum", sum);
+}
+
+static json_t *timings_as_json(const tl_timings *timings)
+{
+    json_t *object = json_object();
+    for (int i = 0; i < timings->count; i++)
+        json_object_set_new(object, timings->stages[i].name, json_real(timings->stages[i].ms));
+    return object;
+}
+
+tl_status job_finish(job *j, const report_options *options, tl_error *err)
+{
+    console_stage(NULL);
+    if (options->timings && !j->report)
+        print_timings(&j->timings);
+    if (!j->report)
+        return TL_OK;
+    if (options->timings)
+        job_report(j, "timings_ms", timings_as_json(&j->timings));
+    return number_json_print(json_incref(j->report), err);
+}
+
+void job_release(job *j)
+{
+    json_decref(j->report);
+    tl_image_destroy(j->image);
+    tl_light_set_clear(&j->lights);
+    tl_gbuffer_destroy(j->gbuffer);
+    *j = (job){0};
+}

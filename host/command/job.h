@@ -1,0 +1,53 @@
+/* One frame on its way: a G-buffer captured or read, repaired, lit, written. What `render`,
+ * `capture`, `light` and `scatter` share; they differ in the steps they take. */
+#ifndef TL_JOB_H
+#define TL_JOB_H
+
+#include "output.h"
+#include "report_options.h"
+#include "tilelight/gbuffer.h"
+#include "tilelight/image.h"
+#include "tilelight/lights.h"
+#include "tilelight/report.h"
+
+#include <jansson.h>
+#include <stdbool.h>
+
+/* All zero to begin with; released with job_release. */
+typedef struct job {
+    tl_gbuffer *gbuffer;
+    tl_light_set lights;
+    bool lights_given; /* by a file or an option: they are kept, even where there are none */
+    tl_repairs repairs;
+    tl_image *image;
+    tl_timings timings;
+    json_t *report; /* what --json prints; NULL without it */
+} job;
+
+/* Starts the report if it is asked for. */
+tl_status job_begin(job *j, const report_options *options, tl_error *err);
+
+/* Takes the lights from a file, before the work that they are needed for; NULL: does nothing. */
+tl_status job_read_lights(job *j, const char *path, tl_error *err);
+
+/* A G-buffer from a file, repaired; with its lights where none were given. */
+tl_status job_read(job *j, const char *path, bool strict, tl_error *err);
+
+/* A G-buffer that was just captured, repaired. `name` is what messages call it. */
+tl_status job_repair(job *j, const char *name, bool strict, tl_error *err);
+
+/* Pictures for each output; the image stays linear. */
+tl_status job_write_pictures(job *j, const picture_options *options, tl_error *err);
+
+/* Whether lights that a capture found say anything: any light, ambient light, sky. */
+bool job_has_lights(const job *j);
+
+/* Adds `value` to the report; releases it either way. */
+void job_report(job *j, const char *key, json_t *value);
+
+/* The end of a successful job: timings and the report. */
+tl_status job_finish(job *j, const report_options *options, tl_error *err);
+
+void job_release(job *j);
+
+#endif

@@ -1,0 +1,22 @@
+#include "job_capture.h"
+
+#include "console.h"
+#include "try.h"
+
+tl_status job_capture(
+    job *j, const char *scene, const tl_capture_options *options, bool strict, tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_light_set found = {0};
+
+    console_stage("capturing");
+    TRY(tl_capture(scene, options, &j->gbuffer, &found, &j->timings, &console_notices, err));
+    if (!j->lights_given) {
+        j->lights = found;
+        found = (tl_light_set){0};
+    }
+    TRY(job_repair(j, scene, strict, err));
+done:
+    tl_light_set_clear(&found);
+    return status;
+}

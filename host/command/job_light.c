@@ -1,0 +1,69 @@
+#include "job_light.h"
+
+#include "console.h"
+#include "try.h"
+
+/* Of a precision: whether it runs on an OpenCL device. */
+static const bool needs_device[TL_PRECISION_COUNT] = {
+    [TL_PRECISION_FLOAT] = true,
+    [TL_PRECISION_DOUBLE] = true,
+};
+
+tl_status job_prepare_light(job *j,
+                            const lighting_choice *choice,
+                            tl_device **device,
+                            tl_error *err)
+{
+    tl_status status = TL_OK;
+    TRY(job_read_lights(j, choice->lights, err));
+    if (!needs_device[choice->options.precision])
+        goto done;
+    const double start = tl_seconds();
+    console_stage("opening the device");
+    TRY(tl_device_open(choice->device, device, err));
+    tl_timings_end(&j->timings, "device", start);
+    job_report(j, "device", json_string(tl_device_describe(*device).name));
+done:
+    return status;
+}
+
+static tl_status add_default_lights(job *j, tl_error *err)
+{
+    if (j->lights_given || job_has_lights(j))
+        return TL_OK;
+    tl_notice(&console_notices,
+              "no lights anywhere: a key light, a fill light and ambient light "
+              "stand in; --lights FILE brings others");
+    return tl_light_set_add_rig(&j->lights, &j->gbuffer->camera, err);
+}
+
+static void report_counts(job *j, const tl_lighting_counts *c)
+{
+    job_report(j, "lights",
+               json_pack("{sI sI sI}", "ranged", (json_int_t)c->ranged_light_count, "global",
+                         (json_int_t)c->global_light_count, "left_out",
+                         (json_int_t)c->left_out_count));
+    job_report(j, "lists",
+               json_pack("{sI sI sI}", "tiles", (json_int_t)c->tile_count, "entries",
+                         (json_int_t)c->list_length, "pixel_light_pairs",
+                         (json_int_t)c->pair_count));
+}
+
+tl_status job_light(job *j, const lighting_choice *choice, tl_device *device, tl_error *err)
+{
+    tl_status status = TL_OK;
+    const tl_camera *camera = &j->gbuffer->camera;
+    tl_lighting_counts counts = {0};
+    tl_lighting *lighting = NULL;
+
+    console_stage("lighting");
+    TRY(add_default_lights(j, err));
+    TRY(tl_image_create(camera->width, camera->height, &j->image, err));
+    TRY(tl_lighting_create(device, &choice->options, &lighting, err));
+    TRY(tl_lighting_run(lighting, j->gbuffer, &j->lights, j->image, &j->timings,
+                        &console_notices, &counts, err));
+    report_counts(j, &counts);
+done:
+    tl_lighting_destroy(lighting);
+    return status;
+}

@@ -1,0 +1,19 @@
+/* The lighting step of a job. */
+#ifndef TL_JOB_LIGHT_H
+#define TL_JOB_LIGHT_H
+
+#include "job.h"
+#include "lighting_options.h"
+
+/* Opens the device that the choice needs, and reads its lights file: what can be refused before a
+ * scene is loaded. *device stays NULL for a precision without one; release with
+ * tl_device_close. */
+tl_status job_prepare_light(job *j,
+                            const lighting_choice *choice,
+                            tl_device **device,
+                            tl_error *err);
+
+/* From the job's G-buffer and lights to its image. Without lights, a default rig lights it. */
+tl_status job_light(job *j, const lighting_choice *choice, tl_device *device, tl_error *err);
+
+#endif

@@ -1,0 +1,73 @@
+/* tilelight light: one G-buffer file to pictures. */
+#include "commands.h"
+#include "console.h"
+#include "job_light.h"
+#include "try.h"
+#include "values.h"
+
+typedef struct light_options {
+    const char *gbuffer;
+    lighting_choice lighting;
+    picture_options pictures;
+    report_options report;
+} light_options;
+
+static error_t parse(int key, char *text, struct argp_state *state)
+{
+    static const char *const names[] = {"G.exr"};
+    light_options *options = state->input;
+    const value_arguments arguments = {names, &options->gbuffer, 1};
+    if (key == ARGP_KEY_INIT) {
+        state->child_inputs[0] = &options->pictures;
+        state->child_inputs[1] = &options->lighting;
+        state->child_inputs[2] = &options->report;
+        return 0;
+    }
+    if (key == ARGP_KEY_SUCCESS && options->report.json &&
+        picture_on_standard_output(&options->pictures))
+        argp_error(state, "-o - and --json both want standard output");
+    return value_argument(key, text, state, &arguments);
+}
+
+static const struct argp_child children[] = {
+    {&picture_argp, 0, "Output:", 1},
+    {&lighting_argp, 0, "Lighting:", 2},
+    {&report_argp, 0, "Reports:", 3},
+    {0},
+};
+
+static const struct argp argp = {
+    .parser = parse,
+    .args_doc = "G.exr",
+    .doc =
+        "Lights a captured G-buffer with the lights of --lights, else those inside the file, "
+        "else a default rig.",
+    .children = children,
+};
+
+static tl_status run(job *j, const light_options *options, tl_device **device, tl_error *err)
+{
+    tl_status status = TL_OK;
+    TRY(picture_check(&options->pictures, options->gbuffer, err));
+    TRY(job_begin(j, &options->report, err));
+    TRY(job_prepare_light(j, &options->lighting, device, err));
+    TRY(job_read(j, options->gbuffer, options->lighting.strict, err));
+    TRY(job_light(j, &options->lighting, *device, err));
+    TRY(job_write_pictures(j, &options->pictures, err));
+    TRY(job_finish(j, &options->report, err));
+done:
+    return status;
+}
+
+int command_light(int argc, char **argv)
+{
+    light_options options = {.lighting = lighting_choice_default()};
+    tl_device *device = NULL;
+    tl_error err;
+    job j = {0};
+    argp_parse(&argp, argc, argv, 0, NULL, &options);
+    const tl_status status = run(&j, &options, &device, &err);
+    tl_device_close(device);
+    job_release(&j);
+    return console_finish(status, &err);
+}

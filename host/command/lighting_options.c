@@ -1,0 +1,85 @@
+#include "lighting_options.h"
+
+#include "strict_options.h"
+#include "values.h"
+
+#define COUNT_OF(array) (sizeof(array) / sizeof(array)[0])
+
+enum {
+    OPTION_LIGHTS = 256,
+    OPTION_CULL,
+    OPTION_TILE,
+    OPTION_DEVICE,
+    OPTION_PRECISION,
+    OPTION_WIDTH,
+    OPTION_CUTOFF
+};
+
+#define WORD(name, word, meaning) [name] = word,
+#define WORD_AND_MEANING(name, word, meaning) " " word ": " meaning "."
+static const char *const cull_words[] = {TL_CULLS(WORD)};
+static const char *const precision_words[] = {TL_PRECISIONS(WORD)};
+static const value_words culls = {"mode", "modes", cull_words, TL_CULL_COUNT};
+static const value_words precisions = {"precision", "precisions", precision_words,
+                                       TL_PRECISION_COUNT};
+
+static const uint32_t tile_sizes[] = {8, 16, 32, 64};
+static const uint32_t widths[] = {1, 4, 8, 16};
+
+lighting_choice lighting_choice_default(void)
+{
+    return (lighting_choice){.options = tl_lighting_options_default()};
+}
+
+static error_t parse(int key, char *text, struct argp_state *state)
+{
+    lighting_choice *choice = state->input;
+    tl_lighting_options *options = &choice->options;
+    switch (key) {
+    case OPTION_LIGHTS: choice->lights = text; return 0;
+    case OPTION_DEVICE: choice->device = text; return 0;
+    case OPTION_CULL:
+        options->cull = (tl_cull)value_word(state, "--cull", text, &culls);
+        return 0;
+    case OPTION_PRECISION:
+        options->precision = (tl_precision)value_word(state, "--precision", text, &precisions);
+        return 0;
+    case OPTION_TILE:
+        options->tile_size =
+            value_among(state, "--tile", text, tile_sizes, COUNT_OF(tile_sizes));
+        return 0;
+    case OPTION_WIDTH:
+        options->vector_width = value_among(state, "--width", text, widths, COUNT_OF(widths));
+        return 0;
+    case OPTION_CUTOFF:
+        options->light_cutoff = (float)value_number(state, "--light-cutoff", text, 0.0, 1e30);
+        return 0;
+    case ARGP_KEY_INIT: state->child_inputs[0] = &choice->strict; return 0;
+    default: return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_option options_table[] = {
+    {"lights", OPTION_LIGHTS, "FILE", 0,
+     "Lights from a JSON file (- is standard input) in place of the scene's own", 0},
+    {"cull", OPTION_CULL, "MODE", 0,
+     "Which lights a tile computes; the picture is the same bit for bit "
+     "(default depth)." TL_CULLS(WORD_AND_MEANING),
+     0},
+    {"tile", OPTION_TILE, "PIXELS", 0, "Side of a tile: 8, 16, 32 or 64 (default 16)", 0},
+    {"device", OPTION_DEVICE, "INDEX|NAME|cpu|gpu", 0,
+     "The OpenCL device; `tilelight devices' lists them (default: PoCL, else any CPU, else "
+     "any)",
+     0},
+    {"precision", OPTION_PRECISION, "NAME", 0,
+     "How it is computed (default float)." TL_PRECISIONS(WORD_AND_MEANING), 0},
+    {"width", OPTION_WIDTH, "LANES", 0,
+     "Vector lanes of the kernels: 1, 4, 8 or 16 (default: what suits the device)", 0},
+    {"light-cutoff", OPTION_CUTOFF, "LUX", 0,
+     "A light without a range ends where it gives this much (default 0: never)", 0},
+    {0},
+};
+
+static const struct argp_child children[] = {{&strict_argp, 0, NULL, 0}, {0}};
+const struct argp lighting_argp = {
+    .options = options_table, .parser = parse, .children = children};

@@ -1,0 +1,22 @@
+/* Options of how a frame is lit. */
+#ifndef TL_LIGHTING_OPTIONS_H
+#define TL_LIGHTING_OPTIONS_H
+
+#include "tilelight/lighting.h"
+
+#include <argp.h>
+#include <stdbool.h>
+
+typedef struct lighting_choice {
+    tl_lighting_options options;
+    const char *device; /* NULL: the default one */
+    const char *lights; /* a lights file; NULL: what the frame brings */
+    bool strict;        /* refuse pixels that would have to be repaired */
+} lighting_choice;
+
+lighting_choice lighting_choice_default(void);
+
+/* Its input is a lighting_choice. */
+extern const struct argp lighting_argp;
+
+#endif

@@ -1,0 +1,116 @@
+/* tilelight render: a glTF scene to pictures, the G-buffer staying in memory. */
+#include "commands.h"
+#include "console.h"
+#include "job_capture.h"
+#include "job_light.h"
+#include "tilelight/scatter.h"
+#include "try.h"
+#include "values.h"
+
+typedef struct render_options {
+    const char *scene;
+    uint32_t scatter_count; /* 0: none */
+    tl_capture_options capture;
+    lighting_choice lighting;
+    picture_options pictures;
+    report_options report;
+} render_options;
+
+enum { OPTION_SCATTER = 256 };
+
+static void check_together(const render_options *options, struct argp_state *state)
+{
+    if (options->scatter_count > 0 && options->lighting.lights)
+        argp_error(state, "--scatter and --lights exclude each other");
+    if (options->report.json && picture_on_standard_output(&options->pictures))
+        argp_error(state, "-o - and --json both want standard output");
+}
+
+static error_t parse(int key, char *text, struct argp_state *state)
+{
+    static const char *const names[] = {"SCENE"};
+    render_options *options = state->input;
+    const value_arguments arguments = {names, &options->scene, 1};
+    switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &options->pictures;
+        state->child_inputs[1] = &options->capture;
+        state->child_inputs[2] = &options->lighting;
+        state->child_inputs[3] = &options->report;
+        return 0;
+    case OPTION_SCATTER:
+        options->scatter_count = value_integer(state, "--scatter", text, 1, TL_MAX_SCATTERED);
+        return 0;
+    case ARGP_KEY_SUCCESS: check_together(options, state); return 0;
+    default: return value_argument(key, text, state, &arguments);
+    }
+}
+
+static const struct argp_option options_table[] = {
+    {"scatter", OPTION_SCATTER, "N", 0,
+     "N lights scattered over the visible surfaces in place of the scene's own: what "
+     "`tilelight scatter' makes without further options",
+     4},
+    {0},
+};
+
+static const struct argp_child children[] = {
+    {&picture_argp, 0, "Output:", 1},
+    {&capture_argp, 0, "View:", 2},
+    {&lighting_argp, 0, "Lighting:", 3},
+    {&report_argp, 0, "Reports:", 5},
+    {0},
+};
+
+static const struct argp argp = {
+    .options = options_table,
+    .parser = parse,
+    .args_doc = "SCENE",
+    .doc =
+        "Captures a glTF scene (.gltf, .glb) and lights it with the lights of --lights, else "
+        "its own, else a default rig.",
+    .children = children,
+};
+
+static tl_status scatter(job *j, uint32_t count, tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_scatter_options options = tl_scatter_options_default();
+    if (count == 0)
+        goto done;
+    const double start = tl_seconds();
+    options.count = count;
+    j->lights.count = 0;
+    TRY(tl_scatter(j->gbuffer, &options, &j->lights, err));
+    tl_timings_end(&j->timings, "scatter", start);
+done:
+    return status;
+}
+
+static tl_status run(job *j, const render_options *options, tl_device **device, tl_error *err)
+{
+    tl_status status = TL_OK;
+    TRY(picture_check(&options->pictures, options->scene, err));
+    TRY(job_begin(j, &options->report, err));
+    TRY(job_prepare_light(j, &options->lighting, device, err));
+    TRY(job_capture(j, options->scene, &options->capture, options->lighting.strict, err));
+    TRY(scatter(j, options->scatter_count, err));
+    TRY(job_light(j, &options->lighting, *device, err));
+    TRY(job_write_pictures(j, &options->pictures, err));
+    TRY(job_finish(j, &options->report, err));
+done:
+    return status;
+}
+
+int command_render(int argc, char **argv)
+{
+    render_options options = {.lighting = lighting_choice_default()};
+    tl_device *device = NULL;
+    tl_error err;
+    job j = {0};
+    argp_parse(&argp, argc, argv, 0, NULL, &options);
+    const tl_status status = run(&j, &options, &device, &err);
+    tl_device_close(device);
+    job_release(&j);
+    return console_finish(status, &err);
+}
