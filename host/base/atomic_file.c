@@ -133,7 +133,7 @@ static int create_temporary(tl_atomic_file *file)
     const char *slash = strrchr(file->target, '/');
     const char *name = slash ? slash + 1 : file->target;
     if (!name[0])
-        return EISDIR;
+        return slash ? EISDIR : ENOENT;
     for (int i = 0; i < MAX_TRIES; i++) {
         char *temporary = NULL;
         if (asprintf(&temporary, "%.*s.%.*s.tilelight-%ld-%u", (int)(name - file->target),

@@ -112,6 +112,8 @@ tl_status tl_image_read_png(const char *path, tl_image **out, tl_error *err)
     pixels = malloc(size);
     TRY(check(pixels ? SPNG_OK : SPNG_EMEM, path, TL_ERR_FORMAT, err));
     TRY(check(spng_decode_image(context, pixels, size, format, 0), path, TL_ERR_FORMAT, err));
+    /* Up to the end chunk: without it the file is cut short. */
+    TRY(check(spng_decode_chunks(context), path, TL_ERR_FORMAT, err));
     TRY(tl_image_create(header.width, header.height, &made, err));
     spreading spread = {.image = made, .pixels = pixels, .is_deep = is_deep};
     tl_parallel(header.height, 1, spread_rows, &spread);

@@ -1,0 +1,115 @@
+/* Do pictures come back from OpenEXR files: floats bit for bit, halves to the nearest, the same
+ * bytes for any number of threads? */
+#define _POSIX_C_SOURCE 200809L /* setenv */
+#include "file_cases.h"
+
+#include "tilelight/image.h"
+
+static tl_image *make_image(uint32_t width, uint32_t height)
+{
+    tl_error err;
+    tl_image *image = NULL;
+    uint32_t random = 17;
+    ASSERT_OK(tl_image_create(width, height, &image, &err), err);
+    for (unsigned c = 0; c < 3; c++)
+        for (uint32_t y = 0; y < height; y++)
+            for (uint32_t x = 0; x < width; x++)
+                tl_image_plane(image, c)[(size_t)y * image->pitch + x] =
+                    ldexpf((float)(next_random(&random) >> 8), -20 - (int)(random >> 3 & 7));
+    return image;
+}
+
+/* Half has 11 bits, and steps of 2^-24 below 2^-14; rounding to nearest is off by half a step. */
+static void assert_near(float got, float wanted, int half, const char *name)
+{
+    const double error = fabs((double)got - (double)wanted);
+    const double bound = half ? fmax(0x1p-11 * (double)wanted, 0x1p-25) : 0.0;
+    if (!(error <= bound))
+        fail_msg("%s: %a, not %a", name, (double)got, (double)wanted);
+}
+
+static void pictures_come_back(void **state)
+{
+    static const uint32_t sizes[][2] = {{1, 1}, {129, 1}, {1, 70}, {70, 35}};
+    (void)state;
+    char path[512], name[64];
+    scratch_path(path, sizeof path, "picture.exr");
+    for (size_t s = 0; s < COUNT_OF(sizes); s++)
+        for (int half = 0; half < 2; half++) {
+            tl_error err;
+            tl_image *read = NULL, *image = make_image(sizes[s][0], sizes[s][1]);
+            int is_png = 1;
+            snprintf(name, sizeof name, "%u x %u, %s", image->width, image->height,
+                     half ? "half" : "float");
+            ASSERT_OK(tl_image_write_exr(path, image, half, &err), err);
+            ASSERT_OK(tl_image_read(path, &read, &is_png, &err), err);
+            assert_int_equal(is_png, 0);
+            assert_int_equal(read->width, image->width);
+            assert_int_equal(read->height, image->height);
+            for (unsigned c = 0; c < 3; c++)
+                for (size_t i = 0; i < (size_t)image->rows * image->pitch; i++)
+                    assert_near(tl_image_plane(read, c)[i], tl_image_plane(image, c)[i], half,
+                                name);
+            tl_image_destroy(read);
+            tl_image_destroy(image);
+        }
+    remove(path);
+}
+
+static void threads_change_nothing(void **state)
+{
+    static const char *const threads[] = {"1", "2", "5"};
+    (void)state;
+    char path[512];
+    scratch_path(path, sizeof path, "picture_threads.exr");
+    tl_image *image = make_image(100, 333);
+    for (int half = 0; half < 2; half++) {
+        unsigned char *first = NULL;
+        size_t first_size = 0;
+        for (size_t i = 0; i < COUNT_OF(threads); i++) {
+            tl_error err;
+            size_t size;
+            setenv("TILELIGHT_THREADS", threads[i], 1);
+            ASSERT_OK(tl_image_write_exr(path, image, half, &err), err);
+            unsigned char *bytes = load_bytes(path, &size);
+            if (!first) {
+                first = bytes;
+                first_size = size;
+                continue;
+            }
+            assert_int_equal(size, first_size);
+            assert_memory_equal(bytes, first, size);
+            free(bytes);
+        }
+        free(first);
+    }
+    unsetenv("TILELIGHT_THREADS");
+    tl_image_destroy(image);
+    remove(path);
+}
+
+static void failures_are_told(void **state)
+{
+    static const char *const full[] = {"/dev/full", "No space", NULL};
+    static const char *const absent[] = {"absent/x.exr", "No such file", NULL};
+    (void)state;
+    char path[512];
+    tl_error err;
+    tl_image *image = make_image(40, 30);
+    scratch_path(path, sizeof path, "absent/x.exr");
+    assert_refused("full", tl_image_write_exr("/dev/full", image, 0, &err), TL_ERR_WRITE, &err,
+                   full);
+    assert_refused("absent", tl_image_write_exr(path, image, 1, &err), TL_ERR_WRITE, &err,
+                   absent);
+    tl_image_destroy(image);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pictures_come_back),
+        cmocka_unit_test(threads_change_nothing),
+        cmocka_unit_test(failures_are_told),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

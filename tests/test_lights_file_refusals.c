@@ -1,0 +1,211 @@
+/* Is a lights file that says something wrong, unknown or not yet supported refused, with a sentence
+ * that names the light and the field? */
+#include "file_cases.h"
+
+#include "tilelight/lights.h"
+
+#define FILE_WITH(members) "{ \"tilelight\": 1, " members " }"
+#define LIGHT(fields) FILE_WITH("\"lights\": [ { " fields " } ]")
+#define POINT(fields) LIGHT("\"type\": \"point\", \"position\": [0, 0, 0], " fields)
+#define SPOT(fields) \
+    LIGHT("\"type\": \"spot\", \"position\": [0, 0, 0], \"direction\": [1, 0, 0], " fields)
+#define SECOND(fields)                                                                    \
+    FILE_WITH("\"lights\": [ { \"type\": \"point\", \"position\": [0, 0, 0] }, { " fields \
+              " } ]")
+
+static const struct {
+    const char *text;
+    tl_status status;
+    const char *words[6]; /* ends with NULL */
+} cases[] = {
+    /* Not JSON, or not ours. */
+    {"", TL_ERR_FORMAT, {"line 1", "JSON"}},
+    {"{ \"tilelight\": 1,\n  oops }", TL_ERR_FORMAT, {"line 2", "column", "oops"}},
+    {"{ \"tilelight\": 1 } trailing", TL_ERR_FORMAT, {"trailing"}},
+    {"{ \"tilelight\": 1, \"lights\": [], \"lights\": [] }",
+     TL_ERR_FORMAT,
+     {"duplicate", "lights"}},
+    {"[]", TL_ERR_FORMAT, {"\"tilelight\": 1"}},
+    {"3", TL_ERR_FORMAT, {"lights.json"}},
+    {"{}", TL_ERR_FORMAT, {"\"tilelight\": 1"}},
+    {"{ \"tilelight\": \"1\" }", TL_ERR_FORMAT, {"\"tilelight\""}},
+    {"{ \"lights\": [], \"tilelight\": 2 }", TL_ERR_UNSUPPORTED, {"version 2", "version 1"}},
+    {"\xff\xfe", TL_ERR_FORMAT, {"lights.json"}},
+
+    /* Unknown fields and words. */
+    {FILE_WITH("\"light\": []"), TL_ERR_FORMAT, {"\"light\"", "did you mean \"lights\""}},
+    {FILE_WITH("\"zebra\": []"), TL_ERR_FORMAT, {"unknown field \"zebra\""}},
+    {SECOND("\"type\": \"point\", \"position\": [0, 0, 0], \"name\": \"key\", \"intensty\": 1"),
+     TL_ERR_FORMAT,
+     {"lights[1] \"key\"", "unknown field \"intensty\"", "did you mean \"intensity\""}},
+    {POINT("\"Color\": [1, 1, 1]"), TL_ERR_FORMAT, {"\"Color\"", "did you mean \"color\""}},
+    {POINT("\"innerCone\": 1"), TL_ERR_FORMAT, {"lights[0]", "\"innerCone\""}},
+    {LIGHT("\"type\": \"area\""), TL_ERR_FORMAT, {"\"area\"", "point", "directional", "spot"}},
+    {POINT("\"falloff\": \"cubic\""), TL_ERR_FORMAT, {"\"cubic\"", "linear", "inverse-square"}},
+    {FILE_WITH("\"sky\": { \"type\": \"blue\" }"), TL_ERR_FORMAT, {"\"blue\"", "constant"}},
+    {FILE_WITH("\"sky\": { \"type\": \"constant\", \"color\": [1, 1, 1], \"colour\": 1 }"),
+     TL_ERR_FORMAT,
+     {"sky", "\"colour\"", "did you mean \"color\""}},
+
+    /* Of a later version. */
+    {POINT("\"castsShadow\": true"), TL_ERR_UNSUPPORTED, {"lights[0]", "castsShadow"}},
+    {POINT("\"texture\": \"gobo.png\""), TL_ERR_UNSUPPORTED, {"lights[0]", "texture"}},
+    {POINT("\"lut\": [1, 0]"), TL_ERR_UNSUPPORTED, {"lut"}},
+    {POINT("\"falloff\": \"lut\", \"range\": 1"), TL_ERR_UNSUPPORTED, {"lut"}},
+    {POINT("\"begin\": 0"), TL_ERR_UNSUPPORTED, {"begin"}},
+    {POINT("\"group\": \"key\""), TL_ERR_UNSUPPORTED, {"group"}},
+    {POINT("\"ambient\": 0.1"), TL_ERR_UNSUPPORTED, {"ambient"}},
+    {FILE_WITH("\"materials\": {}"), TL_ERR_UNSUPPORTED, {"materials"}},
+    {FILE_WITH("\"sky\": { \"type\": \"gradient\" }"), TL_ERR_UNSUPPORTED, {"gradient"}},
+    {FILE_WITH("\"sky\": { \"type\": \"latlong\" }"), TL_ERR_UNSUPPORTED, {"latlong"}},
+
+    /* Missing, or where it does not belong. */
+    {LIGHT("\"position\": [0, 0, 0]"), TL_ERR_FORMAT, {"lights[0]", "\"type\""}},
+    {LIGHT("\"type\": \"point\""), TL_ERR_FORMAT, {"point", "needs \"position\""}},
+    {LIGHT("\"type\": \"directional\""), TL_ERR_FORMAT, {"needs \"direction\""}},
+    {LIGHT("\"type\": \"spot\", \"position\": [0, 0, 0]"),
+     TL_ERR_FORMAT,
+     {"needs \"direction\""}},
+    {POINT("\"direction\": [0, 0, 1]"), TL_ERR_FORMAT, {"point light has no \"direction\""}},
+    {POINT("\"outerConeAngle\": 1"), TL_ERR_FORMAT, {"point light has no \"outerConeAngle\""}},
+    {LIGHT("\"type\": \"directional\", \"direction\": [0, 0, 1], \"range\": 4"),
+     TL_ERR_FORMAT,
+     {"directional light has no \"range\""}},
+    {FILE_WITH("\"sky\": { \"type\": \"constant\" }"), TL_ERR_FORMAT, {"sky", "\"color\""}},
+
+    /* Of the wrong type. */
+    {FILE_WITH("\"lights\": {}"), TL_ERR_FORMAT, {"\"lights\"", "array"}},
+    {FILE_WITH("\"lights\": [ 3 ]"), TL_ERR_FORMAT, {"lights[0]", "object"}},
+    {FILE_WITH("\"ambient\": 0.1"), TL_ERR_FORMAT, {"\"ambient\"", "three numbers"}},
+    {FILE_WITH("\"ambient\": [1, 2]"), TL_ERR_FORMAT, {"\"ambient\"", "three numbers"}},
+    {FILE_WITH("\"sky\": [1, 2, 3]"), TL_ERR_FORMAT, {"\"sky\"", "object"}},
+    {LIGHT("\"type\": 1"), TL_ERR_FORMAT, {"\"type\"", "point"}},
+    {LIGHT("\"type\": null"), TL_ERR_FORMAT, {"\"type\""}},
+    {POINT("\"name\": 7"), TL_ERR_FORMAT, {"\"name\"", "string"}},
+    {POINT("\"intensity\": \"bright\""), TL_ERR_FORMAT, {"\"intensity\"", "number"}},
+    {POINT("\"intensity\": null"), TL_ERR_FORMAT, {"\"intensity\"", "number"}},
+    {POINT("\"color\": [1, 1, 1, 1]"), TL_ERR_FORMAT, {"\"color\"", "three"}},
+    {POINT("\"color\": [1, true, 1]"), TL_ERR_FORMAT, {"\"color\"", "number"}},
+    {POINT("\"falloff\": 2"), TL_ERR_FORMAT, {"\"falloff\""}},
+
+    /* No finite number, or out of range. */
+    {POINT("\"intensity\": NaN"), TL_ERR_FORMAT, {"line 1", "NaN"}},
+    {POINT("\"intensity\": Infinity"), TL_ERR_FORMAT, {"line 1", "Infinity"}},
+    {POINT("\"intensity\": -Infinity"), TL_ERR_FORMAT, {"line 1", "-"}},
+    {POINT("\"intensity\": 1e999"), TL_ERR_FORMAT, {"line 1", "overflow"}},
+    {POINT("\"intensity\": 1e39"), TL_ERR_FORMAT, {"lights[0]", "\"intensity\"", "1e+39"}},
+    {POINT("\"intensity\": 99999999999999999999"), TL_ERR_FORMAT, {"line 1", "integer"}},
+    {POINT("\"intensity\": -1"), TL_ERR_FORMAT, {"lights[0]", "intensity"}},
+    {POINT("\"color\": [0, -0.5, 0]"), TL_ERR_FORMAT, {"color"}},
+    {POINT("\"range\": 0"), TL_ERR_FORMAT, {"range"}},
+    {POINT("\"falloff\": \"linear\""), TL_ERR_FORMAT, {"linear", "range"}},
+    {SPOT("\"innerConeAngle\": 1.0, \"outerConeAngle\": 0.5"),
+     TL_ERR_FORMAT,
+     {"innerConeAngle"}},
+    {SPOT("\"outerConeAngle\": 3.2"), TL_ERR_FORMAT, {"outerConeAngle"}},
+    {LIGHT("\"type\": \"directional\", \"direction\": [0, 0, 0]"),
+     TL_ERR_FORMAT,
+     {"\"direction\"", "length"}},
+    {FILE_WITH("\"ambient\": [-1, 0, 0]"), TL_ERR_FORMAT, {"ambient"}},
+    {FILE_WITH("\"sky\": { \"type\": \"constant\", \"color\": [0, 0, 1e38] }"),
+     TL_ERR_FORMAT,
+     {"sky"}},
+};
+
+static void what_is_wrong_is_named(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(cases); i++) {
+        tl_error err = {.status = TL_OK};
+        tl_light_set set = {.ambient = {7.0f}};
+        const tl_status status =
+            tl_lights_parse(cases[i].text, strlen(cases[i].text), "lights.json", &set, &err);
+        assert_refused(cases[i].text, status, cases[i].status, &err, cases[i].words);
+        assert_int_equal(strncmp(err.message, "lights.json:", 12), 0);
+        assert_true(same_bits(set.ambient[0], 7.0f));
+        assert_null(set.lights);
+    }
+}
+
+static void truncations_are_refused(void **state)
+{
+    static const char text[] =
+        SPOT("\"name\": \"a\\u00e4\\\"b\", \"range\": 2.5e0, \"color\": [1, 0.5, 2]");
+    (void)state;
+    tl_error err;
+    tl_light_set set = {0};
+    ASSERT_OK(tl_lights_parse(text, sizeof text - 1, "cut.json", &set, &err), err);
+    tl_light_set_clear(&set);
+    for (size_t length = 0; length < sizeof text - 1; length++) {
+        /* A copy of the exact size, so that a sanitizer sees reading beyond it. */
+        char *cut = malloc(length ? length : 1);
+        assert_non_null(cut);
+        memcpy(cut, text, length);
+        if (tl_lights_parse(cut, length, "cut.json", &set, &err) != TL_ERR_FORMAT ||
+            !strstr(err.message, "cut.json"))
+            fail_msg("cut to %zu bytes: %s", length, err.message);
+        assert_null(set.lights);
+        free(cut);
+    }
+}
+
+/* A million opening brackets must not take the stack. */
+static void deep_nesting(void **state)
+{
+    static const char *const words[] = {"deep.json", NULL};
+    const size_t depth = 1000000;
+    (void)state;
+    tl_error err;
+    tl_light_set set = {0};
+    char *text = malloc(depth);
+    assert_non_null(text);
+    memset(text, '[', depth);
+    assert_refused("deep", tl_lights_parse(text, depth, "deep.json", &set, &err), TL_ERR_FORMAT,
+                   &err, words);
+    free(text);
+}
+
+static void too_large(void **state)
+{
+    static const char *const words[] = {"64 MiB", NULL};
+    const size_t size = ((size_t)64 << 20) + 1;
+    (void)state;
+    char path[512];
+    tl_error err;
+    tl_light_set set = {0};
+    char *text = malloc(size);
+    assert_non_null(text);
+    memset(text, ' ', size);
+    scratch_path(path, sizeof path, "large.json");
+    assert_refused("text", tl_lights_parse(text, size, "large.json", &set, &err), TL_ERR_FORMAT,
+                   &err, words);
+    save_bytes(path, text, size);
+    assert_refused("file", tl_lights_read(path, &set, &err), TL_ERR_FORMAT, &err, words);
+    remove(path);
+    free(text);
+}
+
+static void files_that_are_none(void **state)
+{
+    static const char *const absent[] = {"absent.json", "cannot be opened", NULL};
+    static const char *const folder[] = {"cannot be read", NULL};
+    static const char *const full[] = {"/dev/full", "No space", NULL};
+    (void)state;
+    char path[512];
+    tl_error err;
+    tl_light_set set = {0};
+    scratch_path(path, sizeof path, "absent.json");
+    assert_refused("absent", tl_lights_read(path, &set, &err), TL_ERR_READ, &err, absent);
+    assert_refused("folder", tl_lights_read("/", &set, &err), TL_ERR_READ, &err, folder);
+    assert_refused("full", tl_lights_write("/dev/full", &set, &err), TL_ERR_WRITE, &err, full);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_is_wrong_is_named), cmocka_unit_test(truncations_are_refused),
+        cmocka_unit_test(deep_nesting),           cmocka_unit_test(too_large),
+        cmocka_unit_test(files_that_are_none),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,212 @@
+/* Do lights come back bit for bit from the text they are written as, and does a file mean what it
+ * says? */
+#include "file_cases.h"
+
+#include "tilelight/lights.h"
+
+#include <float.h>
+#include <unistd.h>
+
+static const float awkward[] = {
+    0.1f,          1.0f / 3.0f, FLT_MIN,     FLT_TRUE_MIN, 0x1.fffffep-1f, 16777217.0f,
+    123456789.0f,  1e17f,       0x1.8p-140f, 3e17f,        0.0f,           0x1.000002p0f,
+    0x1.99999ap3f, 3e-45f,      8.5e9f,      2.0f,
+};
+
+static float next_awkward(uint32_t *random)
+{
+    uint32_t bits = next_random(random) >> 1;
+    float value;
+    if ((bits >> 20 & 3) == 0)
+        return awkward[bits % COUNT_OF(awkward)];
+    bits = (bits & 0x007fffff) | (60u + (bits >> 23) % 120u) << 23;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+/* A unit vector as a program makes one: normalised in double, rounded to float. */
+static void next_direction(uint32_t *random, float out[3])
+{
+    double v[3], length2 = 0.0;
+    for (int i = 0; i < 3; i++) {
+        v[i] = (double)(next_random(random) >> 8) * 0x1p-23 - 1.0;
+        length2 += v[i] * v[i];
+    }
+    for (int i = 0; i < 3; i++)
+        out[i] = (float)(v[i] / sqrt(length2));
+}
+
+static tl_light next_light(uint32_t *random)
+{
+    tl_light light = tl_light_default();
+    light.type = (tl_light_type)((next_random(random) >> 16) % TL_LIGHT_TYPE_COUNT);
+    for (int i = 0; i < 3; i++) {
+        light.color[i] = next_awkward(random);
+        if (light.type != TL_LIGHT_DIRECTIONAL)
+            light.position[i] = next_awkward(random) * (i == 1 ? -1.0f : 1.0f);
+    }
+    if (light.type != TL_LIGHT_POINT)
+        next_direction(random, light.direction);
+    light.intensity = next_awkward(random);
+    light.diffuse = next_awkward(random);
+    light.specular = next_awkward(random);
+    if (light.type != TL_LIGHT_DIRECTIONAL && next_random(random) >> 31) {
+        light.range = next_awkward(random) + FLT_MIN;
+        light.falloff = (tl_falloff)((next_random(random) >> 16) % TL_FALLOFF_COUNT);
+    }
+    if (light.type == TL_LIGHT_SPOT) {
+        light.outer_cone = (float)(next_random(random) >> 8) * 0x1p-23f;
+        light.inner_cone = light.outer_cone * 0.7f;
+    }
+    snprintf(light.name, sizeof light.name, "light \"%u\" \\ \t\xc3\xa4\xe2\x82\xac",
+             next_random(random));
+    return light;
+}
+
+static void assert_same_lights(const tl_light_set *a, const tl_light_set *b)
+{
+    assert_int_equal(a->count, b->count);
+    assert_memory_equal(a->ambient, b->ambient, sizeof a->ambient);
+    assert_memory_equal(a->sky, b->sky, sizeof a->sky);
+    for (size_t i = 0; i < a->count; i++) {
+        assert_string_equal(a->lights[i].name, b->lights[i].name);
+        if (memcmp(&a->lights[i], &b->lights[i], offsetof(tl_light, name)) != 0)
+            fail_msg("light %zu (%s) differs", i, a->lights[i].name);
+    }
+}
+
+static void bit_for_bit(void **state)
+{
+    (void)state;
+    tl_error err;
+    tl_light_set set = {.ambient = {0.1f, 1e-40f, 3.0f}, .sky = {0.7f, 0.0f, 1e29f}},
+                 back = {0};
+    uint32_t random = 1;
+    char *text = NULL;
+    for (int i = 0; i < 3000; i++) {
+        const tl_light light = next_light(&random);
+        ASSERT_OK(tl_light_set_add(&set, &light, &err), err);
+    }
+    ASSERT_OK(tl_lights_format(&set, &text, &err), err);
+    ASSERT_OK(tl_lights_parse(text, strlen(text), "text", &back, &err), err);
+    assert_same_lights(&back, &set);
+    free(text);
+    tl_light_set_clear(&back);
+    tl_light_set_clear(&set);
+}
+
+static void negative_zero(void **state)
+{
+    (void)state;
+    tl_error err;
+    tl_light_set set = {0}, back = {0};
+    tl_light light = tl_light_default();
+    char *text = NULL;
+    light.position[1] = -0.0f;
+    ASSERT_OK(tl_light_set_add(&set, &light, &err), err);
+    ASSERT_OK(tl_lights_format(&set, &text, &err), err);
+    ASSERT_OK(tl_lights_parse(text, strlen(text), "text", &back, &err), err);
+    assert_same_lights(&back, &set);
+    free(text);
+    tl_light_set_clear(&back);
+    tl_light_set_clear(&set);
+}
+
+/* A name that was cut within a character is written up to it. */
+static void cut_names(void **state)
+{
+    (void)state;
+    tl_error err;
+    tl_light_set set = {0}, back = {0};
+    tl_light light = tl_light_default();
+    char *text = NULL;
+    strcpy(light.name, "caf\xc3");
+    ASSERT_OK(tl_light_set_add(&set, &light, &err), err);
+    ASSERT_OK(tl_lights_format(&set, &text, &err), err);
+    ASSERT_OK(tl_lights_parse(text, strlen(text), "text", &back, &err), err);
+    assert_string_equal(back.lights[0].name, "caf");
+    free(text);
+    tl_light_set_clear(&back);
+    tl_light_set_clear(&set);
+}
+
+/* Everything a file can say, read by hand. */
+static void meaning(void **state)
+{
+    static const char text[] =
+        "{ \"tilelight\": 1, \"ambient\": [0.02, 0.5, 1],\n"
+        "  \"sky\": { \"type\": \"constant\", \"color\": [0.1, 0.2, 4] },\n"
+        "  \"lights\": [\n"
+        "    { \"type\": \"directional\", \"direction\": [0, -3, 4], \"castsShadow\": false "
+        "},\n"
+        "    { \"type\": \"point\", \"position\": [1, 2, 3], \"range\": 5, \"ambient\": 0,\n"
+        "      \"falloff\": \"linear\", \"diffuse\": 0.5, \"specular\": 0, \"name\": \"lamp\" "
+        "},\n"
+        "    { \"type\": \"spot\", \"position\": [0, 4, 0], \"direction\": [0, -1, 0],\n"
+        "      \"color\": [1, 0.5, 0.25], \"intensity\": 50, \"range\": 12,\n"
+        "      \"innerConeAngle\": 0.25, \"outerConeAngle\": 0.5,\n"
+        "      \"falloff\": \"inverse-square\" } ] }";
+    (void)state;
+    tl_error err;
+    tl_light_set set = {0},
+                 wanted = {.ambient = {0.02f, 0.5f, 1.0f}, .sky = {0.1f, 0.2f, 4.0f}};
+    tl_light sun = tl_light_default(), lamp = tl_light_default(), spot = tl_light_default();
+    sun.type = TL_LIGHT_DIRECTIONAL;
+    memcpy(sun.direction, (float[]){0.0f, -0.6f, 0.8f}, sizeof sun.direction);
+    memcpy(lamp.position, (float[]){1.0f, 2.0f, 3.0f}, sizeof lamp.position);
+    lamp.range = 5.0f;
+    lamp.falloff = TL_FALLOFF_LINEAR;
+    lamp.diffuse = 0.5f;
+    lamp.specular = 0.0f;
+    strcpy(lamp.name, "lamp");
+    spot.type = TL_LIGHT_SPOT;
+    memcpy(spot.position, (float[]){0.0f, 4.0f, 0.0f}, sizeof spot.position);
+    memcpy(spot.direction, (float[]){0.0f, -1.0f, 0.0f}, sizeof spot.direction);
+    memcpy(spot.color, (float[]){1.0f, 0.5f, 0.25f}, sizeof spot.color);
+    spot.intensity = 50.0f;
+    spot.range = 12.0f;
+    spot.inner_cone = 0.25f;
+    spot.outer_cone = 0.5f;
+    ASSERT_OK(tl_light_set_add(&wanted, &sun, &err), err);
+    ASSERT_OK(tl_light_set_add(&wanted, &lamp, &err), err);
+    ASSERT_OK(tl_light_set_add(&wanted, &spot, &err), err);
+    ASSERT_OK(tl_lights_parse(text, sizeof text - 1, "text", &set, &err), err);
+    assert_same_lights(&set, &wanted);
+    tl_light_set_clear(&set);
+    tl_light_set_clear(&wanted);
+}
+
+static void through_a_file(void **state)
+{
+    (void)state;
+    char path[512];
+    tl_error err;
+    tl_light_set set = {0}, back = {0};
+    uint32_t random = 9;
+    scratch_path(path, sizeof path, "lights.json");
+    ASSERT_OK(tl_lights_write(path, &set, &err), err);
+    ASSERT_OK(tl_lights_read(path, &back, &err), err);
+    assert_same_lights(&back, &set);
+    /* More than the buffer that reading starts with; what `back` held is released. */
+    for (int i = 0; i < 1000; i++) {
+        const tl_light light = next_light(&random);
+        ASSERT_OK(tl_light_set_add(&set, &light, &err), err);
+        ASSERT_OK(tl_light_set_add(&back, &light, &err), err);
+    }
+    ASSERT_OK(tl_lights_write(path, &set, &err), err);
+    ASSERT_OK(tl_lights_read(path, &back, &err), err);
+    assert_same_lights(&back, &set);
+    tl_light_set_clear(&back);
+    tl_light_set_clear(&set);
+    remove(path);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(bit_for_bit),    cmocka_unit_test(negative_zero),
+        cmocka_unit_test(cut_names),      cmocka_unit_test(meaning),
+        cmocka_unit_test(through_a_file),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
