@@ -37,9 +37,10 @@ TL_INLINE box boxes_of_tile(const tl_frame *frame,
     box b = cube(INFINITY, -INFINITY);
     for (uint row = row0; row < row0 + frame->tile_size; row++) {
         for (uint column = column0; column < column0 + frame->tile_size; column += TL_WIDTH) {
-            const real depth = LOAD(depths, (size_t)row * frame->pitch + column);
+            const real depth =
+                LOAD(depths, (size_t)(frame->buffer_row + row) * frame->pitch + column);
             const vec3 p = view_position(frame->rays, needs, (scalar)column + LANE_INDEX,
-                                         (scalar)row, depth);
+                                         (scalar)(frame->first_row + row), depth);
             const mask covered = depth < (real)INFINITY;
             include(&b.low.x, &b.high.x, covered, p.x);
             include(&b.low.y, &b.high.y, covered, p.y);

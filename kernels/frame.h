@@ -16,7 +16,8 @@ typedef struct tl_rays {
     float x0, dx, y0, dy;
 } tl_rays;
 
-/* One frame. The planes are filled up with sky, so that no kernel has an edge case. */
+/* One frame, or a band of its tile rows that is lit alone because the whole does not fit. The planes
+ * are filled up with sky, so that no kernel has an edge case. */
 typedef struct tl_frame {
     tl_rays rays;
     float view_from_world[3][4]; /* a rotation; column 3 is not used on the device */
@@ -25,13 +26,15 @@ typedef struct tl_frame {
     float sky[3];                /* radiance where nothing was hit */
     tl_u32 cull_depth;           /* 1: lights are tested against the boxes of tiles */
     tl_u32 pitch, rows;          /* px; the planes are [rows][pitch] */
-    tl_u32 tiles_x, tiles_y;     /* those that hold pixels of the image */
+    tl_u32 tiles_x, tiles_y;     /* those of the band that hold pixels of the image */
     tl_u32 box_pitch;            /* boxes per row of tiles, tiles_x up to a multiple of 16 */
     tl_u32 global_count;         /* lights before this index reach everything */
     tl_u32 light_count;          /* all lights */
-    tl_u32 unused;
+    tl_u32 first_row;            /* the band's first row in the image, px */
+    tl_u32 buffer_row;           /* where that row stands in the planes that are there, px */
+    tl_u32 unused[3];
 } tl_frame;
-TL_STATIC_ASSERT(sizeof(tl_frame) == 128, frame_is_eight_rows);
+TL_STATIC_ASSERT(sizeof(tl_frame) == 144, frame_is_nine_rows);
 
 /* A light as the kernels take it: view space, colours multiplied out. All finite. Lights that
  * reach everything (no range, or directional) stand before all others. */

@@ -22,9 +22,7 @@ __kernel void light_rects(const tl_frame frame,
         near = min(near, (double)depths[2 * row]);
         far = max(far, (double)depths[2 * row + 1]);
     }
-    const tl_view_window window =
-        view_window(frame.rays, frame.tiles_x * frame.tile_size,
-                    frame.tiles_y * frame.tile_size, near, far, TL_ORTHOGRAPHIC);
+    const tl_view_window window = view_window(&frame, near, far, TL_ORTHOGRAPHIC);
     const uint first = get_global_id(0) * LIGHTS_PER_ITEM;
     const uint end = min(first + LIGHTS_PER_ITEM, frame.light_count);
     for (uint i = max(first, frame.global_count); i < end; i++)

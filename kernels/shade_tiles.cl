@@ -56,11 +56,12 @@ __kernel void shade_tiles(const tl_frame frame,
 
     for (uint row = row0; row < row0 + frame.tile_size; row++) {
         for (uint column = column0; column < column0 + frame.tile_size; column += TL_WIDTH) {
-            const size_t at = (size_t)row * frame.pitch + column;
+            const size_t at = (size_t)(frame.buffer_row + row) * frame.pitch + column;
             const pixel in = load_pixel(planes + at, plane_size);
             const phong_material m = material_of(needs, in);
-            const surface s = surface_of(&frame, needs, in, m.shininess,
-                                         (scalar)column + LANE_INDEX, (scalar)row);
+            const surface s =
+                surface_of(&frame, needs, in, m.shininess, (scalar)column + LANE_INDEX,
+                           (scalar)(frame.first_row + row));
 
             received sum = {{0, 0, 0}, {0, 0, 0}};
             if (any_lane(in.depth < (real)INFINITY)) {

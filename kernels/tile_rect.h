@@ -34,9 +34,14 @@ typedef struct tl_view_window {
     int orthographic;
 } tl_view_window;
 
-TL_INLINE tl_view_window view_window(
-    tl_rays rays, tl_u32 width, tl_u32 height, double near, double far, int orthographic)
+TL_INLINE tl_view_window view_window(const tl_frame *frame,
+                                     double near,
+                                     double far,
+                                     int orthographic)
 {
+    const tl_rays rays = frame->rays;
+    const double right_px = (double)(frame->tiles_x * frame->tile_size);
+    const double bottom_px = (double)(frame->first_row + frame->tiles_y * frame->tile_size);
     tl_view_window w;
     w.width = (double)rays.dx;
     w.height = (double)rays.dy;
@@ -44,8 +49,8 @@ TL_INLINE tl_view_window view_window(
     w.top = (double)rays.y0 - 0.5 * w.height;
     w.near = near;
     w.far = far;
-    w.margin_x = TL_RAY_MARGIN * (fabs(w.left) + fabs(w.left + w.width * (double)width));
-    w.margin_y = TL_RAY_MARGIN * (fabs(w.top) + fabs(w.top + w.height * (double)height));
+    w.margin_x = TL_RAY_MARGIN * (fabs(w.left) + fabs(w.left + w.width * right_px));
+    w.margin_y = TL_RAY_MARGIN * (fabs(w.top) + fabs(w.top + w.height * bottom_px));
     w.orthographic = orthographic;
     return w;
 }
@@ -75,8 +80,9 @@ TL_INLINE tl_tile_rect tile_rect_of(tl_view_window w,
 
     const double x0 = (x.low - w.margin_x - w.left) / w.width;
     const double x1 = (x.high + w.margin_x - w.left) / w.width;
-    const double y0 = (y.high + w.margin_y - w.top) / w.height;
-    const double y1 = (y.low - w.margin_y - w.top) / w.height;
+    const double first = (double)frame->first_row;
+    const double y0 = (y.high + w.margin_y - w.top) / w.height - first;
+    const double y1 = (y.low - w.margin_y - w.top) / w.height - first;
     if (x1 < 0.0 || y1 < 0.0)
         return rect;
     rect.x0 = tile_at(x0, size, tiles_x);

@@ -174,6 +174,41 @@ static void most_pairs_are_culled(void **state)
     tl_gbuffer_destroy(g);
 }
 
+/* Lit in bands because the whole is not allowed the memory: same bits, and the limit kept. */
+static void bands_do_not_show(void **state)
+{
+    static const uint64_t limits[] = {400000, 60000, 30000};
+    const tl_camera camera = camera_of(130, 200, TL_PERSPECTIVE);
+    tl_gbuffer *g = random_gbuffer(&camera, TL_GROUP_BASE | TL_GROUP_PHONG, 1977);
+    tl_image *want = image_like(g), *got = image_like(g);
+    tl_light_set lights = {0};
+    tl_lighting_options options = tl_lighting_options_default();
+    uint32_t bands_before = 0;
+    tl_lighting *lighting = NULL;
+    tl_error err;
+    options.tile_size = 8;
+    around_the_eye(g, &lights, 200);
+    light_frame(*state, &options, g, &lights, want);
+    for (size_t i = 0; i < COUNT_OF(limits); i++) {
+        options.memory_limit = limits[i];
+        const tl_lighting_counts counts = light_frame(*state, &options, g, &lights, got);
+        assert_same_image(got, want, "bands");
+        assert_in_range(counts.device_bytes, 1, limits[i]);
+        assert_in_range(counts.band_count, bands_before + 1, 25);
+        bands_before = counts.band_count;
+    }
+    options.memory_limit = 3000;
+    ASSERT_OK(tl_lighting_create(*state, &options, &lighting, &err), err);
+    assert_int_equal(tl_lighting_run(lighting, g, &lights, got, NULL, NULL, NULL, &err),
+                     TL_ERR_ARGUMENT);
+    assert_non_null(strstr(err.message, "--memory"));
+    tl_lighting_destroy(lighting);
+    tl_light_set_clear(&lights);
+    tl_image_destroy(want);
+    tl_image_destroy(got);
+    tl_gbuffer_destroy(g);
+}
+
 /* A light contributes if and only if d2 < range2. */
 static void range_is_exclusive(void **state)
 {
@@ -189,6 +224,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(image_never_changes),
         cmocka_unit_test(most_pairs_are_culled),
+        cmocka_unit_test(bands_do_not_show),
         cmocka_unit_test(range_is_exclusive),
     };
     return cmocka_run_group_tests(tests, open_device, close_device);

@@ -27,6 +27,8 @@ static const struct {
     FIELD(tl_frame, box_pitch),
     FIELD(tl_frame, global_count),
     FIELD(tl_frame, light_count),
+    FIELD(tl_frame, first_row),
+    FIELD(tl_frame, buffer_row),
     {"sizeof tl_view_light", sizeof(tl_view_light)},
     FIELD(tl_view_light, position),
     FIELD(tl_view_light, range2),
@@ -46,7 +48,7 @@ static void offsets_agree(void **state)
     cl_int code;
     tl_error err;
 
-    ASSERT_OK(tl_program_find(device, &options, &program, &err), err);
+    ASSERT_OK(tl_program_find(device, &options, NULL, &program, &err), err);
     cl_kernel probe = clCreateKernel(program->program, "probe_layout", &code);
     assert_int_equal(code, CL_SUCCESS);
     cl_mem out =

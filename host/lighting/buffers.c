@@ -96,6 +96,15 @@ tl_status tl_buffers_unmap(tl_buffers *buffers,
         "clEnqueueUnmapMemObject", err);
 }
 
+uint64_t tl_buffers_size(const tl_buffers *buffers)
+{
+    uint64_t size = 0;
+    for (int i = 0; i < TL_BUFFER_COUNT; i++)
+        if (!buffers->of[i].host)
+            size += buffers->of[i].size;
+    return size;
+}
+
 void tl_buffers_release(tl_buffers *buffers)
 {
     for (int i = 0; i < TL_BUFFER_COUNT; i++)

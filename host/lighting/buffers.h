@@ -69,6 +69,9 @@ tl_status tl_buffers_unmap(tl_buffers *buffers,
                            void *mapped,
                            tl_error *err);
 
+/* What the device's own buffers take, in bytes. */
+uint64_t tl_buffers_size(const tl_buffers *buffers);
+
 /* Leaves it all zero. */
 void tl_buffers_release(tl_buffers *buffers);
 

@@ -1,6 +1,6 @@
 #include "tilelight/lighting.h"
 
-#include "passes.h"
+#include "bands.h"
 #include "reference.h"
 #include "try.h"
 
@@ -109,95 +109,38 @@ static tl_kernel_options kernel_options(const tl_lighting *lighting)
                                .falloffs = needs->falloffs};
 }
 
-static size_t plane_size(const tl_gbuffer *gbuffer)
-{
-    return (size_t)gbuffer->pitch * gbuffer->rows * sizeof(float);
-}
-
-static tl_status upload(const tl_pass_context *c,
-                        const tl_gbuffer *gbuffer,
-                        tl_image *image,
-                        tl_error *err)
-{
-    const size_t planes = plane_size(gbuffer) * (size_t)__builtin_popcount(gbuffer->present);
-    const size_t radiance = 3 * plane_size(gbuffer);
-    const size_t lights = c->prepared->frame.light_count * sizeof(tl_view_light);
-    tl_status status = TL_OK;
-    if (c->device->shares_memory) {
-        TRY(tl_buffers_share(c->buffers, c->device, TL_BUFFER_PLANES, gbuffer->planes, planes,
-                             err));
-        TRY(tl_buffers_share(c->buffers, c->device, TL_BUFFER_RADIANCE, image->planes, radiance,
-                             err));
-    } else {
-        TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_PLANES, planes, err));
-        TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_RADIANCE, radiance, err));
-        TRY(tl_buffers_write(c->buffers, c->device, TL_BUFFER_PLANES, gbuffer->planes, planes,
-                             err));
-    }
-    TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_LIGHTS, lights, err));
-    TRY(tl_buffers_write(c->buffers, c->device, TL_BUFFER_LIGHTS, c->prepared->lights, lights,
-                         err));
-done:
-    return status;
-}
-
-/* Where memory is shared, the radiance is in the image already once the host has mapped it. */
-static tl_status read_back(const tl_pass_context *c, tl_image *image, tl_error *err)
-{
-    const size_t size = 3 * (size_t)image->pitch * image->rows * sizeof(float);
-    void *mapped = NULL;
-    tl_status status = TL_OK;
-    TRY(tl_buffers_map(c->buffers, c->device, TL_BUFFER_RADIANCE, CL_MAP_READ, size, &mapped,
-                       err));
-    if (mapped != image->planes)
-        memcpy(image->planes, mapped, size);
-    TRY(tl_buffers_unmap(c->buffers, c->device, TL_BUFFER_RADIANCE, mapped, err));
-    TRY(tl_cl(clFinish(c->device->queue), "clFinish", err));
-done:
-    return status;
-}
-
 static tl_status run_on_device(tl_lighting *lighting,
                                const tl_gbuffer *gbuffer,
                                tl_image *image,
                                tl_timings *timings,
-                               uint64_t *list_length,
+                               tl_lighting_counts *counts,
                                tl_error *err)
 {
+    const tl_lighting_options *options = &lighting->options;
+    const tl_kernel_options kernels = kernel_options(lighting);
+    const tl_band_options bands = {.cull = options->cull != TL_CULL_NONE,
+                                   .memory_limit = options->memory_limit};
     tl_status status = TL_OK;
     tl_pass_context context = {.device = lighting->device,
                                .buffers = &lighting->buffers,
                                .prepared = &lighting->prepared,
-                               .precision_is_double =
-                                   precisions[lighting->options.precision].is_double};
-    double clock = tl_seconds();
-    const tl_kernel_options kernels = kernel_options(lighting);
-    TRY(tl_program_find(lighting->device, &kernels, &context.program, err));
-    clock = tl_timings_end(timings, "compile", clock);
-    TRY(upload(&context, gbuffer, image, err));
-    clock = tl_timings_end(timings, "upload", clock);
-    if (lighting->options.cull == TL_CULL_NONE)
-        TRY(tl_pass_list_all(&context, list_length, err));
-    else
-        TRY(tl_pass_cull(&context, list_length, err));
-    clock = tl_timings_end(timings, "cull", clock);
-    TRY(tl_pass_shade(&context, err));
-    clock = tl_timings_end(timings, "shade", clock);
-    TRY(read_back(&context, image, err));
-    tl_timings_end(timings, "readback", clock);
+                               .precision_is_double = (int)kernels.real_double};
+    const double clock = tl_seconds();
+    TRY(tl_program_find(lighting->device, &kernels, &options->kernel, &context.program, err));
+    tl_timings_end(timings, "compile", clock);
+    TRY(tl_bands_light(&context, &bands, gbuffer, image, timings, counts, err));
 done:
     return status;
 }
 
-static tl_lighting_counts count(const tl_prepared *prepared, uint64_t list_length)
+/* What is known before a light is listed. */
+static tl_lighting_counts counts_of(const tl_prepared *prepared)
 {
     const tl_frame *frame = &prepared->frame;
     return (tl_lighting_counts){
         .tile_count = frame->tiles_x * frame->tiles_y,
         .global_light_count = frame->global_count,
         .ranged_light_count = frame->light_count - frame->global_count,
-        .list_length = list_length,
-        .pair_count = list_length * frame->tile_size * frame->tile_size,
         .left_out_count = prepared->left_out_count,
     };
 }
@@ -213,7 +156,7 @@ tl_status tl_lighting_run(tl_lighting *lighting,
 {
     const tl_lighting_options *options = &lighting->options;
     tl_status status = TL_OK;
-    uint64_t list_length = 0;
+    tl_lighting_counts frame_counts;
     double clock = tl_seconds();
 
     if (image->pitch != gbuffer->pitch || image->rows != gbuffer->rows)
@@ -224,18 +167,20 @@ tl_status tl_lighting_run(tl_lighting *lighting,
     TRY(tl_prepare(gbuffer, lights, options->tile_size, options->cull == TL_CULL_DEPTH,
                    options->light_cutoff, notices, &lighting->prepared, err));
     clock = tl_timings_end(timings, "prepare", clock);
+    frame_counts = counts_of(&lighting->prepared);
     if (precisions[options->precision].on_host) {
         tl_reference_light(&lighting->prepared, gbuffer,
                            precisions[options->precision].arithmetic, image);
         tl_timings_end(timings, "shade", clock);
-        list_length = (uint64_t)(lighting->prepared.frame.light_count -
-                                 lighting->prepared.frame.global_count) *
-                      lighting->prepared.frame.tiles_x * lighting->prepared.frame.tiles_y;
+        frame_counts.list_length =
+            (uint64_t)frame_counts.ranged_light_count * frame_counts.tile_count;
     } else {
-        TRY(run_on_device(lighting, gbuffer, image, timings, &list_length, err));
+        TRY(run_on_device(lighting, gbuffer, image, timings, &frame_counts, err));
     }
+    frame_counts.pair_count =
+        frame_counts.list_length * options->tile_size * options->tile_size;
     if (counts)
-        *counts = count(&lighting->prepared, list_length);
+        *counts = frame_counts;
 done:
     return status;
 }

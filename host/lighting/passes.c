@@ -2,44 +2,65 @@
 
 #include "try.h"
 
+#include <assert.h>
 #include <stdlib.h>
 
 enum { LIGHTS_PER_RECT_ITEM = 32 }; /* as LIGHTS_PER_ITEM in kernels/light_rects.cl */
 
-/* In work-groups of one: these kernels share nothing within a group. The frame comes first, then
- * the buffers; TL_BUFFER_COUNT stands for NULL. */
-static tl_status launch(const tl_pass_context *c,
+typedef struct work {
+    size_t items, group; /* work-items in all, and per work-group */
+} work;
+
+static void note_launch(tl_pass_context *c, cl_event event, double *ms)
+{
+    assert(c->launch_count < TL_MAX_LAUNCHES);
+    c->launches[c->launch_count].event = event;
+    c->launches[c->launch_count++].ms = ms;
+}
+
+/* The frame comes first, then the buffers; TL_BUFFER_COUNT stands for NULL. */
+static tl_status launch(tl_pass_context *c,
                         cl_kernel kernel,
                         const char *name,
                         const tl_buffer_name *buffers,
                         cl_uint buffer_count,
-                        size_t items,
+                        work size,
+                        double *ms,
                         tl_error *err)
 {
-    static const size_t one = 1;
-    cl_int code = clSetKernelArg(kernel, 0, sizeof c->prepared->frame, &c->prepared->frame);
+    cl_event event;
+    cl_int code = clSetKernelArg(kernel, 0, sizeof c->frame, &c->frame);
     for (cl_uint i = 0; code == CL_SUCCESS && i < buffer_count; i++)
         code = clSetKernelArg(
             kernel, i + 1, sizeof(cl_mem),
             buffers[i] == TL_BUFFER_COUNT ? NULL : &c->buffers->of[buffers[i]].memory);
     if (code == CL_SUCCESS)
-        code = clEnqueueNDRangeKernel(c->device->queue, kernel, 1, NULL, &items, &one, 0, NULL,
-                                      NULL);
-    return tl_cl(code, name, err);
+        code = clEnqueueNDRangeKernel(c->device->queue, kernel, 1, NULL, &size.items,
+                                      &size.group, 0, NULL, &event);
+    if (code != CL_SUCCESS)
+        return tl_cl(code, name, err);
+    note_launch(c, event, ms);
+    return TL_OK;
 }
 
-#define LAUNCH(context, name, items, err, ...)                                        \
+#define LAUNCH(context, name, size, ms, err, ...)                                     \
     launch(context, (context)->program->name, #name, (tl_buffer_name[]){__VA_ARGS__}, \
-           sizeof((tl_buffer_name[]){__VA_ARGS__}) / sizeof(tl_buffer_name), items, err)
+           sizeof((tl_buffer_name[]){__VA_ARGS__}) / sizeof(tl_buffer_name), size, ms, err)
+
+/* In work-groups of one: our kernels share nothing within a group. */
+static work alone(size_t items)
+{
+    return (work){items, 1};
+}
 
 static size_t tile_count(const tl_pass_context *c)
 {
-    return (size_t)c->prepared->frame.tiles_x * c->prepared->frame.tiles_y;
+    return (size_t)c->frame.tiles_x * c->frame.tiles_y;
 }
 
 static tl_status reserve_tiles(const tl_pass_context *c, tl_error *err)
 {
-    const tl_frame *frame = &c->prepared->frame;
+    const tl_frame *frame = &c->frame;
     const size_t element = c->precision_is_double ? sizeof(double) : sizeof(float);
     tl_status status = TL_OK;
     TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_BOXES,
@@ -59,7 +80,7 @@ done:
 /* The rectangles of a device without double: the same header on the host. */
 static tl_status rects_on_host(const tl_pass_context *c, tl_error *err)
 {
-    const tl_frame *frame = &c->prepared->frame;
+    const tl_frame *frame = &c->frame;
     const size_t depths_size = 2 * sizeof(float) * frame->tiles_y;
     double near = (double)INFINITY, far = (double)-INFINITY;
     tl_status status = TL_OK;
@@ -77,9 +98,8 @@ static tl_status rects_on_host(const tl_pass_context *c, tl_error *err)
     rects = calloc(frame->light_count + 1, sizeof *rects);
     if (!rects)
         TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for the rectangles of lights"));
-    const tl_view_window window = view_window(frame->rays, frame->tiles_x * frame->tile_size,
-                                              frame->tiles_y * frame->tile_size, near, far,
-                                              (int)c->prepared->needs.orthographic);
+    const tl_view_window window =
+        view_window(frame, near, far, (int)c->prepared->needs.orthographic);
     for (uint32_t i = frame->global_count; i < frame->light_count; i++)
         rects[i] = tile_rect_of(window, frame, c->prepared->lights[i]);
     TRY(tl_buffers_write(c->buffers, c->device, TL_BUFFER_RECTS, rects,
@@ -89,13 +109,15 @@ done:
     return status;
 }
 
-static tl_status find_rects(const tl_pass_context *c, tl_error *err)
+static tl_status find_rects(tl_pass_context *c, double *ms, tl_error *err)
 {
     const size_t items =
-        (c->prepared->frame.light_count + LIGHTS_PER_RECT_ITEM - 1) / LIGHTS_PER_RECT_ITEM;
+        (c->frame.light_count + LIGHTS_PER_RECT_ITEM - 1) / LIGHTS_PER_RECT_ITEM;
+    if (items == 0)
+        return TL_OK;
     if (!c->program->light_rects)
         return rects_on_host(c, err);
-    return LAUNCH(c, light_rects, items, err, TL_BUFFER_DEPTHS, TL_BUFFER_LIGHTS,
+    return LAUNCH(c, light_rects, alone(items), ms, err, TL_BUFFER_DEPTHS, TL_BUFFER_LIGHTS,
                   TL_BUFFER_RECTS);
 }
 
@@ -118,39 +140,40 @@ static tl_status place_lists(const tl_pass_context *c, uint64_t *list_length, tl
     }
     TRY(tl_buffers_unmap(c->buffers, c->device, TL_BUFFER_STARTS, starts_map, err));
     TRY(tl_buffers_unmap(c->buffers, c->device, TL_BUFFER_ENDS, ends_map, err));
-    if (total > UINT32_MAX)
-        TRY(tl_fail(
-            err, TL_ERR_UNSUPPORTED,
-            "%u lights on %zu tiles make lists of %llu entries, above 2^32: larger tiles "
-            "(--tile 64) or fewer lights are needed",
-            c->prepared->frame.light_count, count, (unsigned long long)total));
     *list_length = total;
 done:
     return status;
 }
 
-tl_status tl_pass_cull(const tl_pass_context *c, uint64_t *list_length, tl_error *err)
+tl_status tl_pass_count(tl_pass_context *c, uint64_t *list_length, double *ms, tl_error *err)
 {
-    const size_t rows = c->prepared->frame.tiles_y;
+    const work rows = alone(c->frame.tiles_y);
     tl_status status = TL_OK;
     TRY(reserve_tiles(c, err));
-    TRY(LAUNCH(c, bound_rows, rows, err, TL_BUFFER_PLANES, TL_BUFFER_BOXES, TL_BUFFER_DEPTHS));
-    TRY(find_rects(c, err));
-    TRY(LAUNCH(c, list_rows, rows, err, TL_BUFFER_BOXES, TL_BUFFER_LIGHTS, TL_BUFFER_RECTS,
+    TRY(LAUNCH(c, bound_rows, rows, ms, err, TL_BUFFER_PLANES, TL_BUFFER_BOXES,
+               TL_BUFFER_DEPTHS));
+    TRY(find_rects(c, ms, err));
+    TRY(LAUNCH(c, list_rows, rows, ms, err, TL_BUFFER_BOXES, TL_BUFFER_LIGHTS, TL_BUFFER_RECTS,
                TL_BUFFER_ENDS, TL_BUFFER_COUNT));
     TRY(place_lists(c, list_length, err));
-    TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_LIST,
-                           (size_t)*list_length * sizeof(cl_uint), err));
-    TRY(LAUNCH(c, list_rows, rows, err, TL_BUFFER_BOXES, TL_BUFFER_LIGHTS, TL_BUFFER_RECTS,
-               TL_BUFFER_ENDS, TL_BUFFER_LIST));
-    TRY(tl_cl(clFinish(c->device->queue), "culling", err));
 done:
     return status;
 }
 
-tl_status tl_pass_list_all(const tl_pass_context *c, uint64_t *list_length, tl_error *err)
+tl_status tl_pass_list(tl_pass_context *c, uint64_t list_length, double *ms, tl_error *err)
 {
-    const tl_frame *frame = &c->prepared->frame;
+    tl_status status = TL_OK;
+    TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_LIST,
+                           (size_t)list_length * sizeof(cl_uint), err));
+    TRY(LAUNCH(c, list_rows, alone(c->frame.tiles_y), ms, err, TL_BUFFER_BOXES,
+               TL_BUFFER_LIGHTS, TL_BUFFER_RECTS, TL_BUFFER_ENDS, TL_BUFFER_LIST));
+done:
+    return status;
+}
+
+tl_status tl_pass_list_all(tl_pass_context *c, uint64_t *list_length, tl_error *err)
+{
+    const tl_frame *frame = &c->frame;
     const cl_uint ranged_count = frame->light_count - frame->global_count;
     const size_t tiles_size = tile_count(c) * sizeof(cl_uint);
     void *mapped = NULL;
@@ -180,12 +203,29 @@ done:
     return status;
 }
 
-tl_status tl_pass_shade(const tl_pass_context *c, tl_error *err)
+tl_status tl_pass_shade(tl_pass_context *c, double *ms, tl_error *err)
 {
-    tl_status status = TL_OK;
-    TRY(LAUNCH(c, shade_tiles, tile_count(c), err, TL_BUFFER_PLANES, TL_BUFFER_LIGHTS,
-               TL_BUFFER_STARTS, TL_BUFFER_ENDS, TL_BUFFER_LIST, TL_BUFFER_RADIANCE));
-    TRY(tl_cl(clFinish(c->device->queue), "shading", err));
-done:
+    const size_t tiles = tile_count(c),
+                 pixels = (size_t)c->frame.tile_size * c->frame.tile_size;
+    const int by_pixel = c->program->user.text && c->program->user.items == TL_ITEMS_PIXEL;
+    const work size = by_pixel ? (work){tiles * pixels, pixels} : alone(tiles);
+    return LAUNCH(c, shade_tiles, size, ms, err, TL_BUFFER_PLANES, TL_BUFFER_LIGHTS,
+                  TL_BUFFER_STARTS, TL_BUFFER_ENDS, TL_BUFFER_LIST, TL_BUFFER_RADIANCE);
+}
+
+tl_status tl_pass_finish(tl_pass_context *c, tl_error *err)
+{
+    const tl_status status = tl_cl(clFinish(c->device->queue), "clFinish", err);
+    for (int i = 0; i < c->launch_count; i++) {
+        cl_ulong start = 0, end = 0;
+        const cl_event event = c->launches[i].event;
+        if (clGetEventProfilingInfo(event, CL_PROFILING_COMMAND_START, sizeof start, &start,
+                                    NULL) == CL_SUCCESS &&
+            clGetEventProfilingInfo(event, CL_PROFILING_COMMAND_END, sizeof end, &end, NULL) ==
+                CL_SUCCESS)
+            *c->launches[i].ms += 1e-6 * (double)(end - start);
+        clReleaseEvent(event);
+    }
+    c->launch_count = 0;
     return status;
 }

@@ -6,26 +6,46 @@
 #include "prepared.h"
 #include "program.h"
 
-/* What the passes of one frame work on; everything is borrowed. */
+enum { TL_MAX_LAUNCHES = 8 };
+
+/* What the passes of one band work on; everything but `frame` and `launches` is borrowed. */
 typedef struct tl_pass_context {
     const tl_device *device;
     const tl_program *program;
     tl_buffers *buffers;
     const tl_prepared *prepared;
+    tl_frame frame; /* of the band */
     int precision_is_double;
+    int launch_count;
+    struct {
+        cl_event event;
+        double *ms; /* where its time is added */
+    } launches[TL_MAX_LAUNCHES];
 } tl_pass_context;
 
-/* Makes the lists of every tile: none are longer than needed, none is cut. *list_length is their
- * sum. TL_BUFFER_PLANES and TL_BUFFER_LIGHTS are set. Fails with TL_ERR_DEVICE, or
- * TL_ERR_UNSUPPORTED for lists of more than 2^32 entries in all. */
-tl_status tl_pass_cull(const tl_pass_context *context, uint64_t *list_length, tl_error *err);
+/* Bounds the tiles and counts their lights: *list_length is what tl_pass_list will write.
+ * TL_BUFFER_PLANES and TL_BUFFER_LIGHTS are set. Device time is added to *ms by tl_pass_finish.
+ * Fails with TL_ERR_DEVICE or TL_ERR_MEMORY. */
+tl_status tl_pass_count(tl_pass_context *context,
+                        uint64_t *list_length,
+                        double *ms,
+                        tl_error *err);
 
-/* In place of tl_pass_cull: every tile lists every light that has a range. */
-tl_status tl_pass_list_all(const tl_pass_context *context,
-                           uint64_t *list_length,
-                           tl_error *err);
+/* Then writes the lists of every tile: none is longer than needed, none is cut. list_length is below
+ * 2^32. */
+tl_status tl_pass_list(tl_pass_context *context,
+                       uint64_t list_length,
+                       double *ms,
+                       tl_error *err);
 
-/* Writes TL_BUFFER_RADIANCE. Returns when the device is done. */
-tl_status tl_pass_shade(const tl_pass_context *context, tl_error *err);
+/* In place of the two: every tile lists every light that has a range. */
+tl_status tl_pass_list_all(tl_pass_context *context, uint64_t *list_length, tl_error *err);
+
+/* Writes TL_BUFFER_RADIANCE. */
+tl_status tl_pass_shade(tl_pass_context *context, double *ms, tl_error *err);
+
+/* Waits for the device, adds up the times of what was launched, and forgets the launches. To be
+ * called whether or not a pass failed. */
+tl_status tl_pass_finish(tl_pass_context *context, tl_error *err);
 
 #endif

@@ -29,28 +29,45 @@ static void format_flags(const tl_device *device,
 #undef FLAG
 }
 
-static tl_status fail_with_log(const tl_device *device, cl_program program, tl_error *err)
+static tl_status fail_with_log(const tl_device *device, const tl_program *made, tl_error *err)
 {
     static const char unavailable[] = "(no log)";
     size_t size = 0;
-    clGetProgramBuildInfo(program, device->id, CL_PROGRAM_BUILD_LOG, 0, NULL, &size);
+    clGetProgramBuildInfo(made->program, device->id, CL_PROGRAM_BUILD_LOG, 0, NULL, &size);
     char *log = size ? malloc(size) : NULL;
     if (log)
-        clGetProgramBuildInfo(program, device->id, CL_PROGRAM_BUILD_LOG, size, log, NULL);
+        clGetProgramBuildInfo(made->program, device->id, CL_PROGRAM_BUILD_LOG, size, log, NULL);
     tl_status status = tl_fail(err, TL_ERR_DEVICE, "the kernels do not compile on %s:\n%s",
                                device->info.name, log ? log : unavailable);
     free(log);
     return status;
 }
 
+/* What a kernel is called in the text. */
+static const char *name_of(const tl_program *made, const char *name)
+{
+    return made->user.text && strcmp(name, "shade_tiles") == 0 ? made->user.entry : name;
+}
+
+static tl_status check_kernel(cl_int code,
+                              const tl_program *made,
+                              const char *name,
+                              tl_error *err)
+{
+    if (code == CL_INVALID_KERNEL_NAME && made->user.text)
+        return tl_fail(err, TL_ERR_ARGUMENT, "the kernel file has no kernel \"%s\"",
+                       made->user.entry);
+    return tl_cl(code, name, err);
+}
+
 static tl_status create_kernels(const tl_device *device, tl_program *made, tl_error *err)
 {
     tl_status status = TL_OK;
     cl_int code;
-#define CREATE(name)                                                    \
-    if (device->info.has_double || strcmp(#name, "light_rects") != 0) { \
-        made->name = clCreateKernel(made->program, #name, &code);       \
-        TRY(tl_cl(code, "clCreateKernel of " #name, err));              \
+#define CREATE(name)                                                             \
+    if (device->info.has_double || strcmp(#name, "light_rects") != 0) {          \
+        made->name = clCreateKernel(made->program, name_of(made, #name), &code); \
+        TRY(check_kernel(code, made, #name, err));                               \
     }
     TL_KERNELS(CREATE)
 #undef CREATE
@@ -71,27 +88,23 @@ static void release(tl_program *program)
     *program = (tl_program){0};
 }
 
-static tl_status build(const tl_device *device,
-                       const tl_kernel_options *options,
-                       tl_program *out,
-                       tl_error *err)
+static tl_status build(const tl_device *device, tl_program *made, tl_error *err)
 {
     tl_status status = TL_OK;
-    tl_program made = {.options = *options};
-    const char *text = tl_kernel_text;
+    const char *texts[] = {tl_kernel_text, made->user.text};
     char flags[MAX_FLAGS];
     cl_int code;
 
-    format_flags(device, options, flags);
-    made.program = clCreateProgramWithSource(device->context, 1, &text, NULL, &code);
+    format_flags(device, &made->options, flags);
+    made->program =
+        clCreateProgramWithSource(device->context, made->user.text ? 2 : 1, texts, NULL, &code);
     TRY(tl_cl(code, "clCreateProgramWithSource", err));
-    if (clBuildProgram(made.program, 1, &device->id, flags, NULL, NULL) != CL_SUCCESS)
-        TRY(fail_with_log(device, made.program, err));
-    TRY(create_kernels(device, &made, err));
-    *out = made;
-    made = (tl_program){0};
+    if (clBuildProgram(made->program, 1, &device->id, flags, NULL, NULL) != CL_SUCCESS)
+        TRY(fail_with_log(device, made, err));
+    TRY(create_kernels(device, made, err));
 done:
-    release(&made);
+    if (status != TL_OK)
+        release(made);
     return status;
 }
 
@@ -106,22 +119,34 @@ static tl_program *free_slot(struct tl_programs *programs)
     return slot;
 }
 
+static int is_same(const tl_program *program,
+                   const tl_kernel_options *options,
+                   const tl_user_kernel *user)
+{
+    if (memcmp(&program->options, options, sizeof *options) != 0)
+        return 0;
+    if (!program->user.text || !user->text)
+        return program->user.text == user->text;
+    return program->user.text == user->text && strcmp(program->user.entry, user->entry) == 0;
+}
+
 tl_status tl_program_find(tl_device *device,
                           const tl_kernel_options *options,
+                          const tl_user_kernel *user,
                           const tl_program **out,
                           tl_error *err)
 {
-    tl_program built = {0};
+    tl_program built = {.options = *options, .user = user ? *user : (tl_user_kernel){0}};
     if (!device->programs)
         device->programs = calloc(1, sizeof *device->programs);
     if (!device->programs)
         return tl_fail(err, TL_ERR_MEMORY, "out of memory for kernel programs");
     for (int i = 0; i < device->programs->count; i++) {
         *out = &device->programs->of[i];
-        if (memcmp(&(*out)->options, options, sizeof *options) == 0)
+        if (is_same(*out, options, &built.user))
             return TL_OK;
     }
-    const tl_status status = build(device, options, &built, err);
+    const tl_status status = build(device, &built, err);
     if (status != TL_OK)
         return status;
     tl_program *slot = free_slot(device->programs);

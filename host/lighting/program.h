@@ -24,18 +24,20 @@ typedef struct tl_kernel_options {
 
 typedef struct tl_program {
     tl_kernel_options options;
+    tl_user_kernel user; /* text NULL: shade_tiles is ours */
     cl_program program;
 #define HANDLE(name) cl_kernel name;
     TL_KERNELS(HANDLE)
 #undef HANDLE
 } tl_program;
 
-/* The device's program for these options: every kernel, built the first time they are asked for;
- * light_rects stays NULL on a device without double. The device owns *out and keeps the programs it
+/* The device's program for these options: every kernel, built the first time they are asked for. With
+ * `user` (NULL, or its text NULL: ours), shade_tiles is the user's kernel. light_rects stays NULL on a device without double. The device owns *out and keeps the programs it
  * was asked for last, 16 of them, so *out holds until the next call. Fails with TL_ERR_DEVICE; the
  * message then carries the file and the compiler's log. */
 tl_status tl_program_find(tl_device *device,
                           const tl_kernel_options *options,
+                          const tl_user_kernel *user,
                           const tl_program **out,
                           tl_error *err);
 

@@ -66,12 +66,36 @@ typedef enum tl_precision {
         TL_PRECISION_COUNT
 } tl_precision;
 
+/* What one work-item of a user's kernel stands for.
+ * X(name, word on the command line, meaning) */
+#define TL_KERNEL_ITEMS(X)                                 \
+    X(TL_ITEMS_TILE, "tile", "a tile; work-groups of one") \
+    X(TL_ITEMS_PIXEL, "pixel", "a pixel; one work-group per tile, tile x tile items")
+
+typedef enum tl_kernel_items {
+#define TL_KERNEL_ITEMS_NAME(name, word, meaning) name,
+    TL_KERNEL_ITEMS(TL_KERNEL_ITEMS_NAME)
+#undef TL_KERNEL_ITEMS_NAME
+        TL_KERNEL_ITEMS_COUNT
+} tl_kernel_items;
+
+/* A shading kernel of the user's in place of ours; docs/your-kernel.md describes its arguments. */
+typedef struct tl_user_kernel {
+    const char
+        *text; /* OpenCL C, NUL-terminated; it sees all headers of kernels/. NULL: ours */
+    const char *entry; /* the kernel's name */
+    tl_kernel_items items;
+} tl_user_kernel;
+
 typedef struct tl_lighting_options {
     tl_cull cull;
     tl_precision precision;
     uint32_t tile_size;    /* px: 8, 16, 32 or 64 */
     uint32_t vector_width; /* lanes: 1, 4, 8 or 16; 0: what suits the device */
     float light_cutoff;    /* a light without a range ends where it gives this (lx); 0: never */
+    uint64_t
+        memory_limit; /* bytes of device memory beside shared ones; 0: what the device has */
+    tl_user_kernel kernel; /* owned by the caller, who keeps it while the tl_lighting lives */
 } tl_lighting_options;
 
 /* depth, float, tile 16, width by device, no cutoff. */
@@ -83,6 +107,9 @@ typedef struct tl_lighting_counts {
     uint64_t list_length; /* (tile, light) pairs of all lists; global lights are not listed */
     uint64_t pair_count;  /* (pixel, light) pairs that the lists stand for, padding included */
     uint32_t left_out_count; /* lights of types that lighting does not know yet */
+    uint32_t band_count;     /* the frame was lit in this many parts, to fit memory_limit */
+    uint64_t device_bytes;   /* of the device's own buffers, at their largest */
+    double device_cull_ms, device_shade_ms; /* from profiling events; 0 on the CPU paths */
 } tl_lighting_counts;
 
 /* Holds programs and buffers from frame to frame. */
@@ -100,9 +127,10 @@ void tl_lighting_destroy(tl_lighting *lighting);
 
 /* Lights one frame that tl_gbuffer_repair has been through. *image has the G-buffer's size and is
  * written in full. Compiles kernels where the scene needs ones it has not needed before; allocates
- * only where a frame is larger, or has more lights, than every one before. timings, notices,
- * counts may be NULL. Fails with TL_ERR_ARGUMENT (sizes differ), TL_ERR_UNSUPPORTED (lists beyond
- * 2^32 entries), TL_ERR_DEVICE or TL_ERR_MEMORY. */
+ * only where a frame is larger, or has more lights, than every one before. A frame that does not
+ * fit memory_limit is lit in bands of tile rows, with the same bits. timings, notices, counts may
+ * be NULL. Fails with TL_ERR_ARGUMENT (sizes differ; one row of tiles is beyond memory_limit),
+ * TL_ERR_DEVICE or TL_ERR_MEMORY. */
 tl_status tl_lighting_run(tl_lighting *lighting,
                           const tl_gbuffer *gbuffer,
                           const tl_light_set *lights,

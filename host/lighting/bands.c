@@ -1,0 +1,220 @@
+#include "bands.h"
+
+#include "try.h"
+
+/* One band: rows of tiles [first, first + count) of the frame. */
+typedef struct band {
+    uint32_t first, count;
+} band;
+
+static size_t plane_count(const tl_gbuffer *gbuffer)
+{
+    return (size_t)__builtin_popcount(gbuffer->present);
+}
+
+/* Bytes of the device's own memory per row of tiles, lists apart. */
+static uint64_t bytes_per_row(const tl_pass_context *c, const tl_gbuffer *gbuffer)
+{
+    const tl_frame *frame = &c->prepared->frame;
+    const uint64_t element = c->precision_is_double ? sizeof(double) : sizeof(float);
+    const uint64_t tiles = 6 * element * frame->box_pitch + 2 * sizeof(float) +
+                           2 * sizeof(cl_uint) * frame->tiles_x;
+    const uint64_t pixels =
+        (plane_count(gbuffer) + 3) * sizeof(float) * frame->pitch * frame->tile_size;
+    return tiles + (c->device->shares_memory ? 0 : pixels);
+}
+
+static uint64_t bytes_of_lights(const tl_pass_context *c)
+{
+    return (uint64_t)c->prepared->frame.light_count *
+           (sizeof(tl_view_light) + sizeof(tl_tile_rect));
+}
+
+static tl_status too_small(const tl_band_options *options, uint64_t needed, tl_error *err)
+{
+    return tl_fail(err, TL_ERR_ARGUMENT,
+                   "%llu bytes of device memory do not hold one row of tiles of this frame: it "
+                   "takes about %llu; allow more (--memory) or use smaller tiles (--tile)",
+                   (unsigned long long)options->memory_limit, (unsigned long long)needed);
+}
+
+/* The rows of the largest band whose fixed part fits. */
+static tl_status first_guess(const tl_pass_context *c,
+                             const tl_band_options *options,
+                             const tl_gbuffer *gbuffer,
+                             uint32_t *rows,
+                             tl_error *err)
+{
+    const uint64_t row = bytes_per_row(c, gbuffer), lights = bytes_of_lights(c);
+    *rows = c->prepared->frame.tiles_y;
+    if (options->memory_limit == 0)
+        return TL_OK;
+    if (lights + row > options->memory_limit)
+        return too_small(options, lights + row, err);
+    const uint64_t most = (options->memory_limit - lights) / row;
+    *rows = most < *rows ? (uint32_t)most : *rows;
+    return TL_OK;
+}
+
+static void aim_at(tl_pass_context *c, const tl_gbuffer *gbuffer, band at)
+{
+    const uint32_t tile = c->prepared->frame.tile_size;
+    c->frame = c->prepared->frame;
+    c->frame.tiles_y = at.count;
+    c->frame.first_row = at.first * tile;
+    c->frame.rows = c->device->shares_memory ? gbuffer->rows : at.count * tile;
+    c->frame.buffer_row = c->device->shares_memory ? c->frame.first_row : 0;
+}
+
+/* Shared planes stay where they are; others travel a band at a time. The last tile row may reach
+ * below the image, never below the padding. */
+static tl_status upload(tl_pass_context *c,
+                        const tl_gbuffer *gbuffer,
+                        tl_image *image,
+                        tl_error *err)
+{
+    const size_t row = (size_t)gbuffer->pitch * sizeof(float), host_plane = row * gbuffer->rows;
+    const size_t device_plane = row * c->frame.rows;
+    tl_status status = TL_OK;
+    if (c->device->shares_memory) {
+        TRY(tl_buffers_share(c->buffers, c->device, TL_BUFFER_PLANES, gbuffer->planes,
+                             host_plane * plane_count(gbuffer), err));
+        TRY(tl_buffers_share(c->buffers, c->device, TL_BUFFER_RADIANCE, image->planes,
+                             3 * host_plane, err));
+    } else {
+        const size_t origin[3] = {0, 0, 0}, host_origin[3] = {0, c->frame.first_row, 0};
+        const size_t region[3] = {row, c->frame.rows, plane_count(gbuffer)};
+        TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_PLANES,
+                               device_plane * plane_count(gbuffer), err));
+        TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_RADIANCE, 3 * device_plane,
+                               err));
+        TRY(tl_cl(clEnqueueWriteBufferRect(c->device->queue,
+                                           c->buffers->of[TL_BUFFER_PLANES].memory, CL_TRUE,
+                                           origin, host_origin, region, row, device_plane, row,
+                                           host_plane, gbuffer->planes, 0, NULL, NULL),
+                  "clEnqueueWriteBufferRect", err));
+    }
+done:
+    return status;
+}
+
+static tl_status upload_lights(tl_pass_context *c, tl_error *err)
+{
+    const size_t size = c->prepared->frame.light_count * sizeof(tl_view_light);
+    const tl_status status =
+        tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_LIGHTS, size, err);
+    if (status != TL_OK)
+        return status;
+    return tl_buffers_write(c->buffers, c->device, TL_BUFFER_LIGHTS, c->prepared->lights, size,
+                            err);
+}
+
+/* Where memory is shared, mapping is how the host gets to see what the device wrote. */
+static tl_status read_back(tl_pass_context *c, tl_image *image, tl_error *err)
+{
+    const size_t row = (size_t)image->pitch * sizeof(float), host_plane = row * image->rows;
+    tl_status status = TL_OK;
+    if (c->device->shares_memory) {
+        void *mapped = NULL;
+        TRY(tl_buffers_map(c->buffers, c->device, TL_BUFFER_RADIANCE, CL_MAP_READ,
+                           3 * host_plane, &mapped, err));
+        TRY(tl_buffers_unmap(c->buffers, c->device, TL_BUFFER_RADIANCE, mapped, err));
+    } else {
+        const size_t origin[3] = {0, 0, 0}, host_origin[3] = {0, c->frame.first_row, 0};
+        const size_t region[3] = {row, c->frame.rows, 3};
+        TRY(tl_cl(clEnqueueReadBufferRect(c->device->queue,
+                                          c->buffers->of[TL_BUFFER_RADIANCE].memory, CL_TRUE,
+                                          origin, host_origin, region, row, row * c->frame.rows,
+                                          row, host_plane, image->planes, 0, NULL, NULL),
+                  "clEnqueueReadBufferRect", err));
+    }
+done:
+    return status;
+}
+
+/* Whether the lists of the band can be written: indices are 32 bits, and the limit holds. */
+static int fits(const tl_pass_context *c,
+                const tl_band_options *options,
+                const tl_gbuffer *gbuffer,
+                uint64_t list_length,
+                uint64_t *needed)
+{
+    *needed = bytes_of_lights(c) + bytes_per_row(c, gbuffer) * c->frame.tiles_y +
+              list_length * sizeof(cl_uint);
+    return list_length <= UINT32_MAX &&
+           (options->memory_limit == 0 || *needed <= options->memory_limit);
+}
+
+/* One band. *fitted is 0, and nothing lit, where its lists turn out too long and it has more than
+ * one row to give up. */
+static tl_status light_band(tl_pass_context *c,
+                            const tl_band_options *options,
+                            const tl_gbuffer *gbuffer,
+                            tl_image *image,
+                            tl_timings *timings,
+                            tl_lighting_counts *counts,
+                            int *fitted,
+                            tl_error *err)
+{
+    tl_status status = TL_OK;
+    uint64_t list_length = 0, needed = 0;
+    double clock = tl_seconds();
+    TRY(upload(c, gbuffer, image, err));
+    clock = tl_timings_end(timings, "upload", clock);
+    if (options->cull)
+        TRY(tl_pass_count(c, &list_length, &counts->device_cull_ms, err));
+    else
+        TRY(tl_pass_list_all(c, &list_length, err));
+    *fitted = !options->cull || fits(c, options, gbuffer, list_length, &needed);
+    if (!*fitted && c->frame.tiles_y == 1)
+        TRY(too_small(options, needed, err));
+    if (*fitted) {
+        if (options->cull)
+            TRY(tl_pass_list(c, list_length, &counts->device_cull_ms, err));
+        TRY(tl_pass_finish(c, err));
+        clock = tl_timings_end(timings, "cull", clock);
+        TRY(tl_pass_shade(c, &counts->device_shade_ms, err));
+        TRY(tl_pass_finish(c, err));
+        clock = tl_timings_end(timings, "shade", clock);
+        TRY(read_back(c, image, err));
+        tl_timings_end(timings, "readback", clock);
+        counts->list_length += list_length;
+        counts->band_count++;
+    }
+done:
+    if (tl_pass_finish(c, status == TL_OK ? err : NULL) != TL_OK && status == TL_OK)
+        status = TL_ERR_DEVICE;
+    return status;
+}
+
+tl_status tl_bands_light(tl_pass_context *c,
+                         const tl_band_options *options,
+                         const tl_gbuffer *gbuffer,
+                         tl_image *image,
+                         tl_timings *timings,
+                         tl_lighting_counts *counts,
+                         tl_error *err)
+{
+    const uint32_t tile_rows = c->prepared->frame.tiles_y;
+    tl_status status = TL_OK;
+    uint32_t rows = 0;
+    band at = {0, 0};
+    TRY(first_guess(c, options, gbuffer, &rows, err));
+    TRY(upload_lights(c, err));
+    while (at.first < tile_rows) {
+        int fitted = 0;
+        at.count = tile_rows - at.first < rows ? tile_rows - at.first : rows;
+        aim_at(c, gbuffer, at);
+        TRY(light_band(c, options, gbuffer, image, timings, counts, &fitted, err));
+        if (fitted) {
+            at.first += at.count;
+            continue;
+        }
+        rows = at.count / 2;
+        tl_buffers_release(c->buffers); /* they were sized for the larger band */
+        TRY(upload_lights(c, err));
+    }
+    counts->device_bytes = tl_buffers_size(c->buffers);
+done:
+    return status;
+}
