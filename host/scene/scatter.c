@@ -25,6 +25,7 @@ static const struct {
     [TL_FALLOFF_LINEAR] = {0.122, 0},
 };
 static const double mean_hue_channel = 0.5; /* of a bright pure hue, over all hues */
+static const double wanted_light = 0.5;     /* per channel, on a white surface */
 
 /* SplitMix64: Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014,
  * figure 17. */
@@ -196,13 +197,21 @@ static tl_status measure(
     return TL_OK;
 }
 
-/* The range at which `overlap` feet lie within reach of a sample on average. */
+/* The range at which `overlap` feet lie within reach of a sample on average. Where so many share
+ * their pixel that it would be 0, half the way to the next one; 1 m where there is but one. */
 static float range_of_overlap(distances *d, float overlap)
 {
     const double wanted = ceil((double)overlap * (double)d->sample_count);
     const double most = (double)d->count;
     const size_t rank = (size_t)(wanted < most ? wanted : most) - 1;
-    return select_rank(d->values, d->count, rank);
+    float range = select_rank(d->values, d->count, rank);
+    if (range > 0.0f)
+        return range;
+    range = INFINITY;
+    for (size_t i = 0; i < d->count; i++)
+        if (d->values[i] > 0.0f && d->values[i] < range)
+            range = d->values[i];
+    return isfinite(range) ? 0.5f * range : 1.0f;
 }
 
 static double overlap_of_range(const distances *d, float range)
@@ -229,7 +238,7 @@ static float default_intensity(tl_falloff falloff, float range, double overlap)
 {
     const double area = fades[falloff].per_range2 ? (double)range * (double)range : 1.0;
     const double lights = overlap > 1.0 ? overlap : 1.0;
-    return (float)(area / (lights * mean_hue_channel * fades[falloff].mean));
+    return (float)(wanted_light * area / (lights * mean_hue_channel * fades[falloff].mean));
 }
 
 static tl_status check_options(const tl_scatter_options *options, tl_error *err)
@@ -272,8 +281,6 @@ static tl_status choose_light(const tl_scatter_options *options,
     out->falloff = options->falloff;
     out->range =
         options->range > 0.0f ? options->range : range_of_overlap(&d, options->overlap);
-    if (!(out->range > 0.0f)) /* all samples are one point, as in a frame of one pixel */
-        out->range = 1.0f;
     const double overlap =
         options->range > 0.0f ? overlap_of_range(&d, out->range) : (double)options->overlap;
     out->intensity = options->intensity > 0.0f

@@ -17,7 +17,7 @@ typedef struct tl_scatter_options {
     float overlap; /* lights that reach a visible pixel on average; sets the range */
     float range;   /* m; 0: from overlap */
     tl_falloff falloff;
-    float intensity; /* 0: so that overlapping lights add up to about 1 */
+    float intensity; /* 0: so that overlapping lights give a white surface about 0.5 */
 } tl_scatter_options;
 
 /* 1024 lights, seed 1, overlap 12, linear. */
