@@ -97,46 +97,73 @@ TL_INLINE void append(mask met, __global uint *end, __global uint *list, uint i)
     }
 }
 
+/* The lists of the tiles [x0, x1) of a row, as far as light i reaches them. */
+TL_INLINE void list_light(const tl_frame *frame,
+                          __global const scalar *row_boxes,
+                          tl_view_light light,
+                          uint i,
+                          int x0,
+                          int x1,
+                          __global uint *row_ends,
+                          __global uint *list)
+{
+    const size_t plane = (size_t)frame->tiles_y * frame->box_pitch;
+    for (uint tile = (uint)x0 / TL_WIDTH * TL_WIDTH; tile < (uint)x1; tile += TL_WIDTH) {
+        const real index = (scalar)tile + LANE_INDEX;
+        mask met = (index >= (real)(scalar)x0) & (index < (real)(scalar)x1);
+        if (frame->cull_depth) {
+            __global const scalar *from = row_boxes + tile;
+            const vec3 low = {LOAD(from, LOW_X * plane), LOAD(from, LOW_Y * plane),
+                              LOAD(from, LOW_Z * plane)};
+            const vec3 high = {LOAD(from, HIGH_X * plane), LOAD(from, HIGH_Y * plane),
+                               LOAD(from, HIGH_Z * plane)};
+            const box tiles = {low, high};
+            met = met & reaches_box(light, tiles);
+        }
+        if (any_lane(met))
+            append(met, row_ends + tile, list, i);
+    }
+}
+
+/* Which of the lights [first, first + LIGHTS_AT_ONCE) have a rectangle in this row. */
+#define LIGHTS_AT_ONCE 16
+#define OR_INT_HALVES(v) ((v).lo | (v).hi)
+TL_INLINE int any_in_row(__global const int *rects, uint pitch, uint first, int tile_row)
+{
+    const int16 y0 = vload16(0, rects + TL_RECT_Y0 * pitch + first);
+    const int16 y1 = vload16(0, rects + TL_RECT_Y1 * pitch + first);
+    const int16 in_row = (y0 <= tile_row) & (y1 > tile_row);
+    const int4 quarter = OR_INT_HALVES(OR_INT_HALVES(in_row));
+    return (quarter.x | quarter.y | quarter.z | quarter.w) != 0;
+}
+
 /* boxes   as bound_rows leaves them
- * lights  [light_count], rects [light_count]: from global_count on
- * ends    [tiles_y * tiles_x]. Counting (list is NULL): becomes the length of each tile's
- *         list. Listing: is where each list starts and becomes where it ends.
+ * lights  [light_count]; rects as light_rects leaves them
+ * ends    [tiles_y * tiles_x]. Counting (list is NULL): becomes the length of each tile's list.
+ *         Listing: is where each list starts and becomes where it ends.
  * list    indices of lights, ascending within a tile
  * Global size: tiles_y. */
 __kernel void list_rows(const tl_frame frame,
                         __global const scalar *restrict boxes,
                         __global const tl_view_light *restrict lights,
-                        __global const tl_tile_rect *restrict rects,
+                        __global const int *restrict rects,
                         __global uint *restrict ends,
                         __global uint *restrict list)
 {
-    const uint tile_row = get_global_id(0);
-    const size_t plane = (size_t)frame.tiles_y * frame.box_pitch;
+    const int tile_row = (int)get_global_id(0);
+    const uint pitch = TL_RECT_PITCH(frame.light_count);
     __global const scalar *row_boxes = boxes + (size_t)tile_row * frame.box_pitch;
     __global uint *row_ends = ends + (size_t)tile_row * frame.tiles_x;
 
     for (uint tile = 0; !list && tile < frame.tiles_x; tile++)
         row_ends[tile] = 0;
-    for (uint i = frame.global_count; i < frame.light_count; i++) {
-        const tl_tile_rect rect = rects[i];
-        if ((int)tile_row < rect.y0 || (int)tile_row >= rect.y1)
+    for (uint first = 0; first < frame.light_count; first += LIGHTS_AT_ONCE) {
+        if (!any_in_row(rects, pitch, first, tile_row))
             continue;
-        const tl_view_light light = lights[i];
-        for (uint tile = rect.x0 / TL_WIDTH * TL_WIDTH; tile < (uint)rect.x1;
-             tile += TL_WIDTH) {
-            const real index = (scalar)tile + LANE_INDEX;
-            mask met = (index >= (real)(scalar)rect.x0) & (index < (real)(scalar)rect.x1);
-            if (frame.cull_depth) {
-                __global const scalar *from = row_boxes + tile;
-                const vec3 low = {LOAD(from, LOW_X * plane), LOAD(from, LOW_Y * plane),
-                                  LOAD(from, LOW_Z * plane)};
-                const vec3 high = {LOAD(from, HIGH_X * plane), LOAD(from, HIGH_Y * plane),
-                                   LOAD(from, HIGH_Z * plane)};
-                const box tiles = {low, high};
-                met = met & reaches_box(light, tiles);
-            }
-            if (any_lane(met))
-                append(met, row_ends + tile, list, i);
-        }
+        for (uint i = first; i < first + LIGHTS_AT_ONCE; i++)
+            if (rects[TL_RECT_Y0 * pitch + i] <= tile_row &&
+                rects[TL_RECT_Y1 * pitch + i] > tile_row)
+                list_light(&frame, row_boxes, lights[i], i, rects[TL_RECT_X0 * pitch + i],
+                           rects[TL_RECT_X1 * pitch + i], row_ends, list);
     }
 }

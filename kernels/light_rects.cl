@@ -1,4 +1,4 @@
-/* The broad phase: one work-item per LIGHTS_PER_ITEM lights, their rectangles in tiles.
+/* The broad phase: one work-item per TL_RECT_GRANULE lights, their rectangles in tiles.
  *
  * In double, because the eye may be one ulp outside a light's sphere; on a device without it the
  * host runs the same header (host/lighting/frame.c). */
@@ -6,16 +6,14 @@
 
 #ifdef TL_HAS_SPHERE_BOUNDS
 
-enum { LIGHTS_PER_ITEM = 32 };
-
 /* depths  [tiles_y][2]: least and largest depth of the surfaces in a row of tiles, m
  * lights  [light_count]
- * rects   [light_count]; written from global_count on
- * Global size: light_count / LIGHTS_PER_ITEM, rounded up. */
+ * rects   [TL_RECT_PLANE_COUNT][TL_RECT_PITCH(light_count)], written in full
+ * Global size: TL_RECT_PITCH(light_count) / TL_RECT_GRANULE. */
 __kernel void light_rects(const tl_frame frame,
                           __global const float *restrict depths,
                           __global const tl_view_light *restrict lights,
-                          __global tl_tile_rect *restrict rects)
+                          __global int *restrict rects)
 {
     double near = (double)INFINITY, far = (double)-INFINITY;
     for (uint row = 0; row < frame.tiles_y; row++) {
@@ -23,10 +21,17 @@ __kernel void light_rects(const tl_frame frame,
         far = max(far, (double)depths[2 * row + 1]);
     }
     const tl_view_window window = view_window(&frame, near, far, TL_ORTHOGRAPHIC);
-    const uint first = get_global_id(0) * LIGHTS_PER_ITEM;
-    const uint end = min(first + LIGHTS_PER_ITEM, frame.light_count);
-    for (uint i = max(first, frame.global_count); i < end; i++)
-        rects[i] = tile_rect_of(window, &frame, lights[i]);
+    const uint pitch = TL_RECT_PITCH(frame.light_count);
+    const uint first = get_global_id(0) * TL_RECT_GRANULE;
+    for (uint i = first; i < first + TL_RECT_GRANULE; i++) {
+        tl_tile_rect rect = {0, 0, 0, 0};
+        if (i >= frame.global_count && i < frame.light_count)
+            rect = tile_rect_of(window, &frame, lights[i]);
+        rects[TL_RECT_X0 * pitch + i] = rect.x0;
+        rects[TL_RECT_X1 * pitch + i] = rect.x1;
+        rects[TL_RECT_Y0 * pitch + i] = rect.y0;
+        rects[TL_RECT_Y1 * pitch + i] = rect.y1;
+    }
 }
 
 #endif

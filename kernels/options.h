@@ -1,7 +1,7 @@
 /* The constants a kernel build is specialised by: the only ones.
  *
  * The host turns this list into the fields of tl_kernel_options and into -D flags
- * (host/lighting/program.c). None has a default on the device, so a forgotten flag is a compile
+ * (host/lighting/kernel_program.c). None has a default on the device, so a forgotten flag is a compile
  * error, and two builds that differ at all differ in this list. What changes from frame to frame
  * without another kernel being worth it (tile size, culling, counts) is in tl_frame. */
 #ifndef TL_OPTIONS_H

@@ -19,11 +19,18 @@
 
 #    define TL_RAY_MARGIN 0x1p-21 /* 8u */
 
-/* Tiles [x0, x1) x [y0, y1); empty where x0 >= x1 or y0 >= y1. */
+/* Tiles [x0, x1) x [y0, y1); all 0 where empty. In memory they are four planes of rect_pitch ints,
+ * in this order, so that culling compares many lights with a row at once. */
 typedef struct tl_tile_rect {
     int x0, x1, y0, y1;
 } tl_tile_rect;
-TL_STATIC_ASSERT(sizeof(tl_tile_rect) == 16, tile_rect_is_one_row);
+enum { TL_RECT_X0, TL_RECT_X1, TL_RECT_Y0, TL_RECT_Y1, TL_RECT_PLANE_COUNT };
+
+/* Rectangles are made up to a multiple of this, the last ones empty: what no vector of lights can
+ * reach beyond. */
+#    define TL_RECT_GRANULE 32
+#    define TL_RECT_PITCH(light_count) \
+        (((light_count) + TL_RECT_GRANULE - 1) / TL_RECT_GRANULE * TL_RECT_GRANULE)
 
 /* What the rectangles of one frame have in common. Edges: x/depth, or m for parallel rays. */
 typedef struct tl_view_window {

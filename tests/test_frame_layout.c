@@ -2,7 +2,7 @@
 #include "frames.h"
 
 #include "frame.h"
-#include "program.h"
+#include "kernel_program.h"
 
 /* In the order in which probe_layout writes. */
 #define FIELD(type, field)                              \

@@ -26,8 +26,9 @@ static uint64_t bytes_per_row(const tl_pass_context *c, const tl_gbuffer *gbuffe
 
 static uint64_t bytes_of_lights(const tl_pass_context *c)
 {
-    return (uint64_t)c->prepared->frame.light_count *
-           (sizeof(tl_view_light) + sizeof(tl_tile_rect));
+    const uint64_t count = c->prepared->frame.light_count;
+    return count * sizeof(tl_view_light) +
+           TL_RECT_PLANE_COUNT * TL_RECT_PITCH(count) * sizeof(cl_int);
 }
 
 static tl_status too_small(const tl_band_options *options, uint64_t needed, tl_error *err)

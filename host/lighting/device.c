@@ -1,6 +1,6 @@
 #include "device.h"
 
-#include "program.h"
+#include "kernel_program.h"
 #include "try.h"
 
 #include <ctype.h>

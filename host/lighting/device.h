@@ -13,7 +13,7 @@ struct tl_device {
     cl_context context;
     cl_command_queue queue;
     tl_device_info info;
-    struct tl_programs *programs; /* program.h; NULL until the first */
+    struct tl_programs *programs; /* kernel_program.h; NULL until the first */
     int shares_memory;            /* 1: buffers over host memory need no copy */
     int rounds_divide;            /* 1: -cl-fp32-correctly-rounded-divide-sqrt is accepted */
 };

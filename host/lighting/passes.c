@@ -5,8 +5,6 @@
 #include <assert.h>
 #include <stdlib.h>
 
-enum { LIGHTS_PER_RECT_ITEM = 32 }; /* as LIGHTS_PER_ITEM in kernels/light_rects.cl */
-
 typedef struct work {
     size_t items, group; /* work-items in all, and per work-group */
 } work;
@@ -58,6 +56,11 @@ static size_t tile_count(const tl_pass_context *c)
     return (size_t)c->frame.tiles_x * c->frame.tiles_y;
 }
 
+static size_t rect_pitch(const tl_pass_context *c)
+{
+    return TL_RECT_PITCH((size_t)c->frame.light_count);
+}
+
 static tl_status reserve_tiles(const tl_pass_context *c, tl_error *err)
 {
     const tl_frame *frame = &c->frame;
@@ -68,7 +71,7 @@ static tl_status reserve_tiles(const tl_pass_context *c, tl_error *err)
     TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_DEPTHS,
                            2 * sizeof(float) * frame->tiles_y, err));
     TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_RECTS,
-                           frame->light_count * sizeof(tl_tile_rect), err));
+                           TL_RECT_PLANE_COUNT * rect_pitch(c) * sizeof(cl_int), err));
     TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_STARTS,
                            tile_count(c) * sizeof(cl_uint), err));
     TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_ENDS,
@@ -84,7 +87,8 @@ static tl_status rects_on_host(const tl_pass_context *c, tl_error *err)
     const size_t depths_size = 2 * sizeof(float) * frame->tiles_y;
     double near = (double)INFINITY, far = (double)-INFINITY;
     tl_status status = TL_OK;
-    tl_tile_rect *rects = NULL;
+    const size_t pitch = rect_pitch(c);
+    cl_int *rects = NULL;
     void *mapped = NULL;
 
     TRY(tl_buffers_map(c->buffers, c->device, TL_BUFFER_DEPTHS, CL_MAP_READ, depths_size,
@@ -95,15 +99,20 @@ static tl_status rects_on_host(const tl_pass_context *c, tl_error *err)
         far = fmax(far, (double)depths[2 * row + 1]);
     }
     TRY(tl_buffers_unmap(c->buffers, c->device, TL_BUFFER_DEPTHS, mapped, err));
-    rects = calloc(frame->light_count + 1, sizeof *rects);
+    rects = calloc(TL_RECT_PLANE_COUNT * pitch, sizeof *rects);
     if (!rects)
         TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for the rectangles of lights"));
     const tl_view_window window =
         view_window(frame, near, far, (int)c->prepared->needs.orthographic);
-    for (uint32_t i = frame->global_count; i < frame->light_count; i++)
-        rects[i] = tile_rect_of(window, frame, c->prepared->lights[i]);
+    for (uint32_t i = frame->global_count; i < frame->light_count; i++) {
+        const tl_tile_rect rect = tile_rect_of(window, frame, c->prepared->lights[i]);
+        rects[TL_RECT_X0 * pitch + i] = rect.x0;
+        rects[TL_RECT_X1 * pitch + i] = rect.x1;
+        rects[TL_RECT_Y0 * pitch + i] = rect.y0;
+        rects[TL_RECT_Y1 * pitch + i] = rect.y1;
+    }
     TRY(tl_buffers_write(c->buffers, c->device, TL_BUFFER_RECTS, rects,
-                         frame->light_count * sizeof *rects, err));
+                         TL_RECT_PLANE_COUNT * pitch * sizeof *rects, err));
 done:
     free(rects);
     return status;
@@ -111,8 +120,7 @@ done:
 
 static tl_status find_rects(tl_pass_context *c, double *ms, tl_error *err)
 {
-    const size_t items =
-        (c->frame.light_count + LIGHTS_PER_RECT_ITEM - 1) / LIGHTS_PER_RECT_ITEM;
+    const size_t items = rect_pitch(c) / TL_RECT_GRANULE;
     if (items == 0)
         return TL_OK;
     if (!c->program->light_rects)

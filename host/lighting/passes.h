@@ -4,7 +4,7 @@
 
 #include "buffers.h"
 #include "prepared.h"
-#include "program.h"
+#include "kernel_program.h"
 
 enum { TL_MAX_LAUNCHES = 8 };
 

@@ -1,6 +1,6 @@
 /* Kernel programs, specialised and built at run time from the sources embedded at build time. */
-#ifndef TL_PROGRAM_H
-#define TL_PROGRAM_H
+#ifndef TL_KERNEL_PROGRAM_H
+#define TL_KERNEL_PROGRAM_H
 
 #include "device.h"
 #include "options.h"

@@ -1,4 +1,4 @@
-#include "program.h"
+#include "kernel_program.h"
 
 #include "embedded_kernels.h"
 #include "try.h"
