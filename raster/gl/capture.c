@@ -41,12 +41,10 @@ static tl_status render(const tl_model *model,
     tl_gl *gl = NULL;
     tl_scene_objects objects = {0};
     tl_gbuffer *gbuffer = NULL;
-    const double clock = tl_seconds();
 
     TRY(tl_gl_open(&gl, err));
-    TRY(tl_upload(gl, model, &objects, err));
+    TRY(tl_upload(gl, model, &objects, timings, err));
     TRY(tl_gbuffer_create(camera, planes_of(model), &gbuffer, err));
-    tl_timings_end(timings, "upload", clock);
     TRY(tl_geometry_pass(gl, model, &objects, gbuffer, timings, err));
 
     *out = gbuffer;
@@ -72,15 +70,13 @@ tl_status tl_capture(const char *path,
     tl_model *model = NULL;
     tl_light_set found = {0};
     tl_camera camera;
-    double clock = tl_seconds();
+    const double clock = tl_seconds();
 
     TRY(check_size(options, err));
     TRY(tl_model_load(path, notices, &model, err));
     TRY(tl_model_lights(model, &found, err));
     TRY(tl_model_camera(model, options->camera, width, height, notices, &camera, err));
-    clock = tl_timings_end(timings, "load", clock);
-    TRY(tl_model_decode(model, notices, err));
-    tl_timings_end(timings, "decode", clock);
+    tl_timings_end(timings, "load", clock);
     TRY(render(model, &camera, out, timings, err));
 
     tl_light_set_clear(lights);

@@ -129,7 +129,7 @@ static void set_lookup(const pass *p, const placed_draw *draw)
             rows[2 * i + (GLuint)k / 3][k % 3] = slot->uv_from_coordinates[k / 3][k % 3];
         if (slot->texture == -1)
             continue;
-        gl->BindTextureUnit(i, p->objects->textures[slot->texture]);
+        gl->BindTextureUnit(i, p->objects->textures[p->model->textures[slot->texture].pixels]);
         gl->BindSampler(i, p->objects->samplers[slot->texture]);
     }
     gl->Uniform4fv(UNIFORM_BASE_COLOR, 1, draw->material->base_color);

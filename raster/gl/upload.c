@@ -2,6 +2,7 @@
 
 #include "accessor.h"
 #include "interface.h"
+#include "parallel.h"
 #include "try.h"
 
 #include <stdlib.h>
@@ -42,46 +43,24 @@ static GLuint upload_vertices(const tl_gl *gl, const tl_vertices *vertices)
     return array;
 }
 
-static bool uses_mipmaps(const tl_gltf_sampler *sampler)
+static GLsizei level_count(const tl_pixels *pixels)
 {
-    return sampler->min_filter != GL_NEAREST && sampler->min_filter != GL_LINEAR;
-}
-
-static GLsizei level_count(const tl_texels *texels)
-{
-    uint32_t extent = texels->width > texels->height ? texels->width : texels->height;
+    uint32_t extent = pixels->width > pixels->height ? pixels->width : pixels->height;
     GLsizei count = 1;
     for (; extent > 1; extent /= 2)
         count++;
     return count;
 }
 
-/* A texture whose pixels another one has already is that one: samplers are objects of their own.
- * Returns `index` if there is none, or none with the mipmaps it needs. */
-static size_t same_pixels(const tl_model *model, size_t index)
+static GLuint upload_pixels(const tl_gl *gl, const tl_pixels *pixels, const uint16_t *rgba)
 {
-    const tl_texture *const wanted = &model->textures[index];
-    for (size_t i = 0; i < index; i++)
-        if (model->textures[i].image == wanted->image &&
-            model->textures[i].srgb == wanted->srgb &&
-            (uses_mipmaps(&model->textures[i].sampler) || !uses_mipmaps(&wanted->sampler)))
-            return i;
-    return index;
-}
-
-static GLuint upload_texture(const tl_gl *gl,
-                             const tl_texture *texture,
-                             const tl_texels *texels)
-{
-    const bool mipmaps = uses_mipmaps(&texture->sampler);
     GLuint made = 0;
     gl->CreateTextures(GL_TEXTURE_2D, 1, &made);
-    gl->TextureStorage2D(made, mipmaps ? level_count(texels) : 1,
-                         texture->srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, (GLsizei)texels->width,
-                         (GLsizei)texels->height);
-    gl->TextureSubImage2D(made, 0, 0, 0, (GLsizei)texels->width, (GLsizei)texels->height,
-                          GL_RGBA, GL_UNSIGNED_BYTE, texels->rgba);
-    if (mipmaps)
+    gl->TextureStorage2D(made, pixels->mipmaps ? level_count(pixels) : 1, GL_RGBA16,
+                         (GLsizei)pixels->width, (GLsizei)pixels->height);
+    gl->TextureSubImage2D(made, 0, 0, 0, (GLsizei)pixels->width, (GLsizei)pixels->height,
+                          GL_RGBA, GL_UNSIGNED_SHORT, rgba);
+    if (pixels->mipmaps)
         gl->GenerateTextureMipmap(made);
     return made;
 }
@@ -97,34 +76,69 @@ static GLuint make_sampler(const tl_gl *gl, const tl_gltf_sampler *sampler)
     return made;
 }
 
-tl_status tl_upload(const tl_gl *gl,
-                    const tl_model *model,
-                    tl_scene_objects *out,
-                    tl_error *err)
+/* A few images at a time: all of them decoded would need as much memory again as OpenGL's copies. */
+static tl_status upload_images(const tl_gl *gl,
+                               const tl_model *model,
+                               GLuint *textures,
+                               tl_timings *timings,
+                               tl_error *err)
 {
-    out->vertex_arrays = calloc(model->vertices_count + 1, sizeof(GLuint));
-    out->index_buffers = calloc(model->part_count + 1, sizeof(GLuint));
-    out->textures = calloc(model->texture_count + 1, sizeof(GLuint));
-    out->samplers = calloc(model->texture_count + 1, sizeof(GLuint));
-    if (!out->vertex_arrays || !out->index_buffers || !out->textures || !out->samplers)
-        return tl_fail(err, TL_ERR_MEMORY, "%s: out of memory for the scene's objects",
+    const size_t batch = 4 * (size_t)tl_thread_count();
+    tl_texels *const texels = calloc(batch, sizeof *texels);
+    tl_status status = TL_OK;
+    double clock = tl_seconds();
+    if (!texels)
+        return tl_fail(err, TL_ERR_MEMORY, "%s: out of memory for its images",
                        model->gltf->path);
+    for (size_t first = 0; first < model->pixels_count; first += batch) {
+        const size_t left = model->pixels_count - first;
+        const size_t count = left < batch ? left : batch;
+        TRY(tl_model_decode(model, first, count, texels, err));
+        clock = tl_timings_end(timings, "decode", clock);
+        for (size_t i = 0; i < count; i++)
+            textures[first + i] = upload_pixels(gl, &model->pixels[first + i], texels[i].rgba);
+        clock = tl_timings_end(timings, "upload", clock);
+    }
+done:
+    for (size_t i = 0; i < batch; i++)
+        free(texels[i].rgba);
+    free(texels);
+    return status;
+}
+
+static void upload_geometry(const tl_gl *gl, const tl_model *model, tl_scene_objects *out)
+{
     for (size_t i = 0; i < model->vertices_count; i++)
         out->vertex_arrays[i] = upload_vertices(gl, &model->vertices[i]);
     for (size_t i = 0; i < model->part_count; i++)
         if (model->parts[i].index_count > 0)
             out->index_buffers[i] = upload_buffer(
                 gl, model->parts[i].indices, model->parts[i].index_count * sizeof(uint32_t));
-    for (size_t i = 0; i < model->texture_count; i++) {
-        const tl_texels *const texels = &model->images[model->textures[i].image];
-        const size_t same = same_pixels(model, i);
-        if (!texels->rgba) /* missing: no material refers to it any more */
-            continue;
-        out->textures[i] =
-            same < i ? out->textures[same] : upload_texture(gl, &model->textures[i], texels);
+    for (size_t i = 0; i < model->texture_count; i++)
         out->samplers[i] = make_sampler(gl, &model->textures[i].sampler);
-    }
-    return tl_gl_check(gl, "uploading the scene", err);
+}
+
+tl_status tl_upload(const tl_gl *gl,
+                    const tl_model *model,
+                    tl_scene_objects *out,
+                    tl_timings *timings,
+                    tl_error *err)
+{
+    tl_status status = TL_OK;
+    const double clock = tl_seconds();
+    out->vertex_arrays = calloc(model->vertices_count + 1, sizeof(GLuint));
+    out->index_buffers = calloc(model->part_count + 1, sizeof(GLuint));
+    out->textures = calloc(model->pixels_count + 1, sizeof(GLuint));
+    out->samplers = calloc(model->texture_count + 1, sizeof(GLuint));
+    if (!out->vertex_arrays || !out->index_buffers || !out->textures || !out->samplers)
+        return tl_fail(err, TL_ERR_MEMORY, "%s: out of memory for the scene's objects",
+                       model->gltf->path);
+    upload_geometry(gl, model, out);
+    tl_timings_end(timings, "upload", clock);
+    TRY(upload_images(gl, model, out->textures, timings, err));
+    TRY(tl_gl_check(gl, "uploading the scene", err));
+done:
+    return status;
 }
 
 void tl_scene_objects_clear(tl_scene_objects *objects)

@@ -8,16 +8,17 @@
 typedef struct tl_scene_objects {
     GLuint *vertex_arrays; /* [vertices_count] */
     GLuint *index_buffers; /* [part_count]; 0: nothing to draw */
-    GLuint *textures;      /* [texture_count] */
+    GLuint *textures;      /* [pixels_count] */
     GLuint *samplers;      /* [texture_count] */
 } tl_scene_objects;
 
-/* Uploads, with mipmaps where samplers look at them. The model's images must be decoded. The caller
- * releases with tl_scene_objects_clear whether it succeeds or not. Fails with TL_ERR_MEMORY or
- * TL_ERR_DEVICE. */
+/* Decodes the images and uploads all, with mipmaps where samplers look at them: stages "decode" and
+ * "upload". The caller releases with tl_scene_objects_clear whether it succeeds or not. Fails with
+ * TL_ERR_FORMAT (a damaged image), TL_ERR_MEMORY or TL_ERR_DEVICE. */
 tl_status tl_upload(const tl_gl *gl,
                     const tl_model *model,
                     tl_scene_objects *out,
+                    tl_timings *timings,
                     tl_error *err);
 
 /* Frees the lists, not the objects. Accepts an all-zero one. */

@@ -75,22 +75,6 @@ static tl_status expand_triangles(loader *at,
     return TL_OK;
 }
 
-static void find_bounds(const tl_vertices *vertices, tl_part *part)
-{
-    for (int c = 0; c < 3; c++) {
-        part->low[c] = INFINITY;
-        part->high[c] = -INFINITY;
-    }
-    for (size_t i = 0; i < part->index_count; i++)
-        for (int c = 0; c < 3; c++) {
-            const double value =
-                (double)vertices
-                    ->attributes[TL_GLTF_POSITION][3 * (size_t)part->indices[i] + (size_t)c];
-            part->low[c] = fmin(part->low[c], value);
-            part->high[c] = fmax(part->high[c], value);
-        }
-}
-
 /* --- vertices ---------------------------------------------------------------------------------- */
 
 static tl_status read_attributes(loader *at,
@@ -222,7 +206,6 @@ static tl_status load_part(loader *at, size_t mesh_index, size_t primitive, tl_e
     TRY(expand_triangles(at, user, from->mode, sequence, length, part, err));
     if (!vertices->attributes[TL_GLTF_NORMAL])
         TRY(make_flat(at, user, vertices, part, err));
-    find_bounds(vertices, part);
 done:
     free(sequence);
     return status;

@@ -1,4 +1,4 @@
-#include "model.h"
+#include "loading.h"
 
 #include "decode.h"
 #include "load_limits.h"
@@ -47,114 +47,119 @@ static tl_status check_format(const tl_gltf *gltf,
                    label_of(gltf, image).text);
 }
 
+/* All pixels together must stay below the limit: 8 bytes each once decoded, 11 with mipmaps. */
+static tl_status check_size(const tl_model *model, const tl_pixels *wanted, tl_error *err)
+{
+    uint64_t sum = (uint64_t)8 * wanted->width * wanted->height;
+    for (size_t i = 0; i < model->pixels_count; i++)
+        sum += (uint64_t)8 * model->pixels[i].width * model->pixels[i].height;
+    if (wanted->width <= TL_MAX_IMAGE_EXTENT && wanted->height <= TL_MAX_IMAGE_EXTENT &&
+        sum <= tl_max_texel_bytes)
+        return TL_OK;
+    return tl_fail(err, TL_ERR_UNSUPPORTED,
+                   "%s: %s with its %u x %u pixels is more than fits: %d per side, and %llu "
+                   "million pixels for all images",
+                   model->gltf->path, label_of(model->gltf, wanted->image).text, wanted->width,
+                   wanted->height, TL_MAX_IMAGE_EXTENT,
+                   (unsigned long long)(tl_max_texel_bytes / 8000000));
+}
+
+static tl_status add_pixels(tl_model *model, const tl_pixels *wanted, tl_error *err)
+{
+    tl_pixels made = *wanted;
+    tl_status status = TL_OK;
+    TRY(check_format(model->gltf, made.image, &made.bytes, err));
+    if (!tl_decode_size(made.bytes.data, made.bytes.size, &made.width, &made.height)) {
+        status = tl_fail(
+            err, TL_ERR_FORMAT, "%s: %s is damaged, or larger than %d pixels per side",
+            model->gltf->path, label_of(model->gltf, made.image).text, TL_MAX_IMAGE_EXTENT);
+        goto done;
+    }
+    TRY(check_size(model, &made, err));
+    model->pixels[model->pixels_count++] = made;
+done:
+    return status;
+}
+
+tl_status tl_find_pixels(tl_model *model,
+                         int image,
+                         bool srgb,
+                         bool mipmaps,
+                         const tl_notices *notices,
+                         size_t *out,
+                         tl_error *err)
+{
+    const tl_gltf_image *const from = &model->gltf->images[image];
+    const tl_label label = label_of(model->gltf, (size_t)image);
+    tl_pixels wanted = {.image = (size_t)image, .bytes = from->bytes, .srgb = srgb};
+    tl_status status = TL_OK;
+    size_t at = 0;
+
+    if (from->view != -1)
+        TRY(tl_gltf_view_bytes(model->gltf, label.text, from->view, &wanted.bytes, err));
+    if (!wanted.bytes.data) {
+        tl_notice(notices, "%s: %s cannot be read; factors are used without it",
+                  model->gltf->path, label.text);
+        *out = PIXELS_MISSING;
+        goto done;
+    }
+    while (at < model->pixels_count &&
+           (model->pixels[at].image != wanted.image || model->pixels[at].srgb != wanted.srgb))
+        at++;
+    if (at == model->pixels_count)
+        TRY(add_pixels(model, &wanted, err));
+    model->pixels[at].mipmaps |= mipmaps;
+    *out = at;
+done:
+    return status;
+}
+
 typedef struct decoding {
-    const tl_gltf *gltf;
-    size_t count;
-    struct item {
-        size_t image;
-        tl_gltf_bytes bytes;
-        tl_texels texels;
-    } * items; /* [count] */
+    const tl_pixels *pixels;
+    tl_texels *out;
+    tl_status *statuses; /* one for each */
 } decoding;
 
-/* Checks all that the file says of the image before anything is decoded. */
-static tl_status add_image(decoding *work,
-                           size_t image,
-                           const tl_gltf_bytes *bytes,
-                           uint64_t *texel_bytes,
-                           tl_error *err)
+static tl_status decode(const tl_pixels *from, tl_texels *to)
 {
-    struct item item = {image, *bytes, {0}};
-    tl_status status = check_format(work->gltf, image, bytes, err);
-    if (status != TL_OK)
-        return status;
-    if (!tl_decode_size(bytes->data, bytes->size, &item.texels.width, &item.texels.height))
-        return tl_fail(err, TL_ERR_FORMAT,
-                       "%s: %s is damaged, or larger than %d pixels per side", work->gltf->path,
-                       label_of(work->gltf, image).text, TL_MAX_IMAGE_EXTENT);
-    *texel_bytes += (uint64_t)4 * item.texels.width * item.texels.height;
-    if (item.texels.width > TL_MAX_IMAGE_EXTENT || item.texels.height > TL_MAX_IMAGE_EXTENT ||
-        *texel_bytes > tl_max_texel_bytes)
-        return tl_fail(
-            err, TL_ERR_UNSUPPORTED,
-            "%s: %s with its %u x %u pixels is more than fits: %d per side, and %llu "
-            "million pixels for all images",
-            work->gltf->path, label_of(work->gltf, image).text, item.texels.width,
-            item.texels.height, TL_MAX_IMAGE_EXTENT,
-            (unsigned long long)(tl_max_texel_bytes / 4000000));
-    work->items[work->count++] = item;
-    return status;
+    const size_t wanted = (size_t)4 * from->width * from->height;
+    if (to->capacity < wanted) {
+        free(to->rgba);
+        to->rgba = malloc(wanted * sizeof *to->rgba);
+        to->capacity = to->rgba ? wanted : 0;
+        if (!to->rgba)
+            return TL_ERR_MEMORY;
+    }
+    return tl_decode_rgba16(from->bytes.data, from->bytes.size, from->width, from->height,
+                            from->srgb, to->rgba)
+               ? TL_OK
+               : TL_ERR_FORMAT;
 }
 
 static void decode_range(void *context, size_t begin, size_t end)
 {
     const decoding *const work = context;
-    for (size_t i = begin; i < end; i++) {
-        struct item *const item = &work->items[i];
-        item->texels.rgba = tl_decode_rgba8(item->bytes.data, item->bytes.size,
-                                            item->texels.width, item->texels.height);
-    }
+    for (size_t i = begin; i < end; i++)
+        work->statuses[i] = decode(&work->pixels[i], &work->out[i]);
 }
 
-static void drop_texture(tl_model *model, int texture)
+tl_status tl_model_decode(
+    const tl_model *model, size_t first, size_t count, tl_texels *out, tl_error *err)
 {
-    for (size_t i = 0; i < model->material_count; i++)
-        for (int slot = 0; slot < TL_GLTF_SLOT_COUNT; slot++)
-            if (model->materials[i].slots[slot].texture == texture)
-                model->materials[i].slots[slot].texture = -1;
-}
-
-/* Lists the images that textures show, once each. `asked` is [image_count]. */
-static tl_status list_images(
-    tl_model *model, decoding *work, bool *asked, const tl_notices *notices, tl_error *err)
-{
-    const tl_gltf *const gltf = model->gltf;
-    uint64_t texel_bytes = 0;
-    for (size_t i = 0; i < model->texture_count; i++) {
-        const size_t image = (size_t)model->textures[i].image;
-        const tl_label label = label_of(gltf, image);
-        tl_gltf_bytes bytes = gltf->images[image].bytes;
-        tl_status status = TL_OK;
-        if (gltf->images[image].view != -1)
-            status =
-                tl_gltf_view_bytes(gltf, label.text, gltf->images[image].view, &bytes, err);
-        if (status == TL_OK && !bytes.data) {
-            if (!asked[image])
-                tl_notice(notices, "%s: %s cannot be read; factors are used without it",
-                          gltf->path, label.text);
-            drop_texture(model, (int)i);
-        } else if (status == TL_OK && !asked[image])
-            status = add_image(work, image, &bytes, &texel_bytes, err);
-        if (status != TL_OK)
-            return status;
-        asked[image] = true;
-    }
-    return TL_OK;
-}
-
-tl_status tl_model_decode(tl_model *model, const tl_notices *notices, tl_error *err)
-{
+    tl_status *const statuses = calloc(count + 1, sizeof *statuses);
+    decoding work = {model->pixels + first, out, statuses};
     tl_status status = TL_OK;
-    decoding work = {.gltf = model->gltf,
-                     .items = calloc(model->image_count + 1, sizeof *work.items)};
-    bool *const asked = calloc(model->image_count + 1, sizeof *asked);
-
-    if (!work.items || !asked) {
-        status =
-            tl_fail(err, TL_ERR_MEMORY, "%s: out of memory for its images", model->gltf->path);
-        goto done;
-    }
-    TRY(list_images(model, &work, asked, notices, err));
-    tl_parallel(work.count, 1, decode_range, &work);
-    for (size_t i = 0; i < work.count; i++) {
-        model->images[work.items[i].image] = work.items[i].texels;
-        if (!work.items[i].texels.rgba && status == TL_OK)
-            status =
-                tl_fail(err, TL_ERR_FORMAT, "%s: %s is damaged and cannot be decoded",
-                        model->gltf->path, label_of(model->gltf, work.items[i].image).text);
-    }
-done:
-    free(work.items);
-    free(asked);
+    if (!statuses)
+        return tl_fail(err, TL_ERR_MEMORY, "%s: out of memory for its images",
+                       model->gltf->path);
+    tl_parallel(count, 1, decode_range, &work);
+    for (size_t i = 0; i < count && status == TL_OK; i++)
+        if (statuses[i] != TL_OK)
+            status = tl_fail(
+                err, statuses[i],
+                statuses[i] == TL_ERR_MEMORY ? "%s: out of memory for %s"
+                                             : "%s: %s is damaged and cannot be decoded",
+                model->gltf->path, label_of(model->gltf, model->pixels[first + i].image).text);
+    free(statuses);
     return status;
 }

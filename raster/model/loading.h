@@ -26,8 +26,23 @@ tl_status tl_load_geometry(tl_model *model,
                            const tl_notices *notices,
                            tl_error *err);
 
-/* Checks the materials that parts use: sets materials and textures. Fails with TL_ERR_FORMAT, naming
- * the material. */
+/* Checks the materials that parts use: sets materials, textures and pixels. Textures whose image is
+ * missing are left out, which is told. Fails with TL_ERR_FORMAT, TL_ERR_UNSUPPORTED or
+ * TL_ERR_MEMORY, naming the material or image. */
 tl_status tl_load_materials(tl_model *model, const tl_notices *notices, tl_error *err);
+
+/* Which of the model's pixels show `image` this way: ones that are there already, or new ones, for
+ * which there is room. *out is PIXELS_MISSING where the file's bytes are: that is told. Format and
+ * size are checked, nothing is decoded. Fails with TL_ERR_FORMAT or TL_ERR_UNSUPPORTED (neither PNG
+ * nor JPEG, or too large), naming the image. */
+tl_status tl_find_pixels(tl_model *model,
+                         int image,
+                         bool srgb,
+                         bool mipmaps,
+                         const tl_notices *notices,
+                         size_t *out,
+                         tl_error *err);
+
+static const size_t PIXELS_MISSING = (size_t)-1;
 
 #endif

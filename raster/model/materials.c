@@ -66,17 +66,20 @@ static tl_status find_sampler(
     return TL_OK;
 }
 
+static bool uses_mipmaps(const tl_gltf_sampler *sampler)
+{
+    return sampler->min_filter >= FIRST_MIPMAPPED;
+}
+
 /* Materials share textures: looking one up again gives the same. The list has room for every slot
  * of every material. */
-static int intern(tl_model *model, const tl_texture *wanted)
+static int intern(tl_model *model, size_t pixels, const tl_gltf_sampler *sampler)
 {
-    for (size_t i = 0; i < model->texture_count; i++) {
-        const tl_texture *const one = &model->textures[i];
-        if (one->image == wanted->image && one->srgb == wanted->srgb &&
-            memcmp(&one->sampler, &wanted->sampler, sizeof one->sampler) == 0)
+    for (size_t i = 0; i < model->texture_count; i++)
+        if (model->textures[i].pixels == pixels &&
+            memcmp(&model->textures[i].sampler, sampler, sizeof *sampler) == 0)
             return (int)i;
-    }
-    model->textures[model->texture_count] = *wanted;
+    model->textures[model->texture_count] = (tl_texture){pixels, *sampler};
     return (int)model->texture_count++;
 }
 
@@ -103,7 +106,8 @@ static tl_status load_slot(tl_model *model,
 {
     const tl_gltf *const gltf = model->gltf;
     tl_status status = TL_OK;
-    tl_texture texture = {.srgb = slot_is_srgb[slot]};
+    tl_gltf_sampler sampler;
+    size_t pixels;
 
     *out = (tl_texture_slot){.texture = -1};
     if (use->texture == -1)
@@ -121,15 +125,18 @@ static tl_status load_slot(tl_model *model,
     }
     TRY(tl_gltf_check_index(gltf, tl_label_of("texture", (size_t)use->texture, "").text,
                             "image", from->image, gltf->image_count, err));
-    TRY(find_sampler(gltf, user, from->sampler, &texture.sampler, err));
+    TRY(find_sampler(gltf, user, from->sampler, &sampler, err));
     transform_of(use, out->uv_from_coordinates);
     for (int i = 0; i < 6; i++)
         if (!isfinite(out->uv_from_coordinates[i / 3][i % 3]))
             return tl_fail(err, TL_ERR_FORMAT, "%s: %s: the transform of its %s is not finite",
                            gltf->path, user, slot_names[slot]);
-    texture.image = from->image;
+    TRY(tl_find_pixels(model, from->image, slot_is_srgb[slot], uses_mipmaps(&sampler), notices,
+                       &pixels, err));
+    if (pixels == PIXELS_MISSING)
+        goto done;
     out->coordinates = use->coordinates;
-    out->texture = intern(model, &texture);
+    out->texture = intern(model, pixels, &sampler);
 done:
     return status;
 }
@@ -231,14 +238,13 @@ tl_status tl_load_materials(tl_model *model, const tl_notices *notices, tl_error
 
     model->materials = calloc(count + 1, sizeof *model->materials);
     model->textures = calloc(count * TL_GLTF_SLOT_COUNT + 1, sizeof *model->textures);
-    model->images = calloc(model->gltf->image_count + 1, sizeof *model->images);
-    if (!used || !model->materials || !model->textures || !model->images) {
+    model->pixels = calloc(count * TL_GLTF_SLOT_COUNT + 1, sizeof *model->pixels);
+    if (!used || !model->materials || !model->textures || !model->pixels) {
         status = tl_fail(err, TL_ERR_MEMORY, "%s: out of memory for its materials",
                          model->gltf->path);
         goto done;
     }
     model->material_count = count + 1;
-    model->image_count = model->gltf->image_count;
     for (size_t i = 0; i < model->part_count; i++)
         used[model->parts[i].material] |= model->parts[i].index_count > 0;
     for (size_t i = 0; i <= count; i++)

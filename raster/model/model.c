@@ -39,8 +39,6 @@ void tl_model_destroy(tl_model *model)
             free(model->vertices[i].attributes[k]);
     for (size_t i = 0; i < model->part_count; i++)
         free(model->parts[i].indices);
-    for (size_t i = 0; i < model->image_count; i++)
-        free(model->images[i].rgba);
     free(model->vertices);
     free(model->parts);
     free(model->draws);
@@ -48,7 +46,7 @@ void tl_model_destroy(tl_model *model)
     free(model->lights);
     free(model->materials);
     free(model->textures);
-    free(model->images);
+    free(model->pixels);
     tl_gltf_close(model->gltf);
     free(model);
 }

@@ -16,11 +16,10 @@ typedef struct tl_vertices {
 
 /* One primitive of a mesh: a triangle list. */
 typedef struct tl_part {
-    size_t vertices;        /* index into the model's vertices */
-    size_t index_count;     /* a multiple of 3; 0: nothing to draw */
-    uint32_t *indices;      /* [index_count], owned */
-    size_t material;        /* index into the model's materials */
-    double low[3], high[3]; /* bounds of the vertices in use */
+    size_t vertices;    /* index into the model's vertices */
+    size_t index_count; /* a multiple of 3; 0: nothing to draw */
+    uint32_t *indices;  /* [index_count], owned */
+    size_t material;    /* index into the model's materials */
 } tl_part;
 
 /* One part at one place. */
@@ -36,16 +35,24 @@ typedef struct tl_placed {
     tl_affine world;
 } tl_placed;
 
-/* An image's texels; rgba is owned. All zero: the image could not be had. */
-typedef struct tl_texels {
+/* An image as something looks at it: as colours or as data. */
+typedef struct tl_pixels {
+    size_t image;        /* of the file */
+    tl_gltf_bytes bytes; /* of its file, PNG or JPEG; the file's own */
+    bool srgb, mipmaps;
     uint32_t width, height;
-    uint8_t *rgba; /* [height][width][4], top row first */
+} tl_pixels;
+
+/* Pixels once they are decoded, in a buffer that serves one image after another: touching new memory
+ * costs more than decoding. All zero is a valid empty one; the owner frees rgba. */
+typedef struct tl_texels {
+    uint16_t *rgba;  /* [height][width][4], top row first, linear: 65535 is 1 */
+    size_t capacity; /* in values */
 } tl_texels;
 
-/* An image with the way to look it up. */
+/* Pixels with the way to look them up. */
 typedef struct tl_texture {
-    int image; /* of the file */
-    bool srgb;
+    size_t pixels;           /* index into the model's pixels */
     tl_gltf_sampler sampler; /* every field is a value that OpenGL knows */
 } tl_texture;
 
@@ -66,17 +73,17 @@ typedef struct tl_material {
 typedef struct tl_model {
     const tl_gltf *gltf; /* owned; for names in messages */
     size_t vertices_count, part_count, draw_count, camera_count, light_count;
-    size_t material_count, texture_count, image_count;
+    size_t material_count, texture_count, pixels_count;
     tl_vertices *vertices;
     tl_part *parts;
     tl_draw *draws;
     tl_placed *cameras, *lights; /* in the order of the scene's nodes, parents first */
     tl_material *materials;      /* those of the file, then the default one */
     tl_texture *textures;        /* the ones that materials in use need */
-    tl_texels *images;           /* as the file numbers them; see tl_model_decode */
+    tl_pixels *pixels;           /* what those look at */
 } tl_model;
 
-/* Loads a scene but for its images. The caller releases *out with tl_model_destroy. Fails as
+/* Loads a scene, its images undecoded. The caller releases *out with tl_model_destroy. Fails as
  * tl_capture does, without TL_ERR_DEVICE. */
 tl_status tl_model_load(const char *path,
                         const tl_notices *notices,
@@ -86,10 +93,10 @@ tl_status tl_model_load(const char *path,
 /* Accepts NULL. */
 void tl_model_destroy(tl_model *model);
 
-/* Decodes the images that textures need, on all threads. Slots whose image is missing lose their
- * texture, which is told. Fails with TL_ERR_FORMAT (a damaged image), TL_ERR_UNSUPPORTED (not PNG or
- * JPEG, or too large) or TL_ERR_MEMORY, naming the image. */
-tl_status tl_model_decode(tl_model *model, const tl_notices *notices, tl_error *err);
+/* Decodes pixels [first, first + count) into out[count], on all threads. Fails with TL_ERR_FORMAT,
+ * naming a damaged image, or TL_ERR_MEMORY. */
+tl_status tl_model_decode(
+    const tl_model *model, size_t first, size_t count, tl_texels *out, tl_error *err);
 
 /* Adds the lights of the scene. Fails with TL_ERR_FORMAT, naming the light, or TL_ERR_MEMORY. */
 tl_status tl_model_lights(const tl_model *model, tl_light_set *lights, tl_error *err);

@@ -117,95 +117,112 @@ static tl_status camera_of_file(const tl_model *model,
 static const double framed_fov = 0.78539816339744831; /* 45 degrees, as viewers have it */
 static const double framed_margin = 1.05; /* of the distance: air around the scene */
 
-/* The box around all draws; false: nothing is drawn. */
-static bool find_bounds(const tl_model *model, double low[3], double high[3])
+/* Calls visit(context, world position) for every vertex in use, at every place where it is drawn. */
+static void for_each_position(const tl_model *model,
+                              void (*visit)(void *context, const double world[3]),
+                              void *context)
 {
-    for (int c = 0; c < 3; c++) {
-        low[c] = INFINITY;
-        high[c] = -INFINITY;
-    }
     for (size_t i = 0; i < model->draw_count; i++) {
         const tl_part *const part = &model->parts[model->draws[i].part];
-        for (int corner = 0; corner < 8; corner++) {
-            double p[3], q[3];
-            for (int c = 0; c < 3; c++)
-                p[c] = corner >> c & 1 ? part->high[c] : part->low[c];
-            tl_affine_point(&model->draws[i].world, p, q);
-            for (int c = 0; c < 3; c++) {
-                low[c] = fmin(low[c], q[c]);
-                high[c] = fmax(high[c], q[c]);
-            }
+        const float *const positions =
+            model->vertices[part->vertices].attributes[TL_GLTF_POSITION];
+        for (size_t k = 0; k < part->index_count; k++) {
+            const float *const p = positions + 3 * (size_t)part->indices[k];
+            const double model_point[3] = {(double)p[0], (double)p[1], (double)p[2]};
+            double world[3];
+            tl_affine_point(&model->draws[i].world, model_point, world);
+            visit(context, world);
         }
     }
-    return model->draw_count > 0;
 }
 
-/* From the front of glTF's models (+z), a little to the right and above: back is towards the eye. */
+typedef struct box {
+    double low[3], high[3];
+} box;
+
+static void grow_box(void *context, const double world[3])
+{
+    box *const around = context;
+    for (int c = 0; c < 3; c++) {
+        around->low[c] = fmin(around->low[c], world[c]);
+        around->high[c] = fmax(around->high[c], world[c]);
+    }
+}
+
+/* From the front of glTF's models (+z), a little to the right and above: towards the eye. */
 static const double framed_back[3] = {0.45, 0.35, 1.0};
 
-/* How far from the centre the eye has to stand, along unit `back`, to see all corners of the box
- * with half-extents `half`; and between which depths they then lie. */
-static double framed_distance(const double right[3],
-                              const double up[3],
-                              const double back[3],
-                              const double half[3],
-                              double aspect,
-                              double depths[2])
+/* How the picture is framed: around a centre, along unit axes, at a distance found vertex by
+ * vertex. */
+typedef struct framing {
+    double center[3], right[3], up[3], back[3];
+    double tangent, aspect;   /* of half the vertical field of view; width by height */
+    double distance;          /* from the centre, so that all is in the picture */
+    double nearest, farthest; /* depths, measured from the centre */
+} framing;
+
+static void frame_point(void *context, const double world[3])
 {
-    const double tangent = tan(0.5 * framed_fov);
-    double distance = 0.0, nearest = INFINITY, farthest = -INFINITY;
-    for (int corner = 0; corner < 8; corner++) {
-        double p[3];
-        for (int c = 0; c < 3; c++)
-            p[c] = corner >> c & 1 ? half[c] : -half[c];
-        const double z = tl_dot(p, back);
-        distance = fmax(distance, z + fabs(tl_dot(p, up)) / tangent);
-        distance = fmax(distance, z + fabs(tl_dot(p, right)) / (tangent * aspect));
-        nearest = fmin(nearest, -z);
-        farthest = fmax(farthest, -z);
+    framing *const f = context;
+    double p[3];
+    for (int c = 0; c < 3; c++)
+        p[c] = world[c] - f->center[c];
+    const double z = tl_dot(p, f->back);
+    f->distance = fmax(f->distance, z + fabs(tl_dot(p, f->up)) / f->tangent);
+    f->distance = fmax(f->distance, z + fabs(tl_dot(p, f->right)) / (f->tangent * f->aspect));
+    f->nearest = fmin(f->nearest, -z);
+    f->farthest = fmax(f->farthest, -z);
+}
+
+/* Around the middle of the scene's box. A scene without extent gets a distance of 1. */
+static framing find_framing(const tl_model *model, double aspect, box *around)
+{
+    static const double world_up[3] = {0.0, 1.0, 0.0};
+    const double none = HUGE_VAL;
+    framing f = {
+        .tangent = tan(0.5 * framed_fov), .aspect = aspect, .nearest = none, .farthest = -none};
+    *around = (box){{none, none, none}, {-none, -none, -none}};
+    for_each_position(model, grow_box, around);
+    if (model->draw_count == 0)
+        *around = (box){{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}};
+    for (int c = 0; c < 3; c++) {
+        f.center[c] = 0.5 * around->low[c] + 0.5 * around->high[c];
+        f.back[c] = framed_back[c];
     }
-    distance *= framed_margin;
-    depths[0] = distance + nearest;
-    depths[1] = distance + farthest;
-    return distance;
+    tl_normalize(f.back);
+    tl_cross(world_up, f.back, f.right);
+    tl_normalize(f.right);
+    tl_cross(f.back, f.right, f.up);
+    for_each_position(model, frame_point, &f);
+    if (!(f.distance > 0.0)) {
+        f.distance = 1.0;
+        f.nearest = f.farthest = 0.0;
+    }
+    f.distance *= framed_margin;
+    return f;
 }
 
 static tl_status framed_camera(
     const tl_model *model, uint32_t width, uint32_t height, tl_camera *out, tl_error *err)
 {
-    static const double world_up[3] = {0.0, 1.0, 0.0};
-    double low[3], high[3], center[3] = {0}, half[3] = {0.5, 0.5, 0.5}, eye[3], depths[2];
-    double back[3] = {framed_back[0], framed_back[1], framed_back[2]}, right[3], up[3];
-    double largest = 0.0;
-
-    if (find_bounds(model, low, high))
-        for (int c = 0; c < 3; c++) {
-            center[c] = 0.5 * low[c] + 0.5 * high[c];
-            half[c] = 0.5 * high[c] - 0.5 * low[c];
-        }
-    for (int c = 0; c < 3; c++)
-        largest = fmax(largest, half[c]);
-    if (!(largest > 0.0)) /* a point: any distance shows it */
-        half[0] = half[1] = half[2] = largest = 0.5;
-    tl_normalize(back);
-    tl_cross(world_up, back, right);
-    tl_normalize(right);
-    tl_cross(back, right, up);
-    const double distance =
-        framed_distance(right, up, back, half, (double)width / height, depths);
-    for (int c = 0; c < 3; c++)
-        eye[c] = center[c] + distance * back[c];
-    /* Rounding the eye to float far from the origin moves everything by up to that much. */
-    const double slack = 0.05 * largest + 1e-6 * (fabs(eye[0]) + fabs(eye[1]) + fabs(eye[2]));
-    const double near = fmax(depths[0] - slack, 1e-3 * distance);
+    box around;
+    const framing f = find_framing(model, (double)width / height, &around);
+    double eye[3], magnitude = 0.0;
+    for (int c = 0; c < 3; c++) {
+        eye[c] = f.center[c] + f.distance * f.back[c];
+        magnitude = fmax(magnitude, fabs(eye[c]));
+    }
+    /* Rounding the camera to float, far from the origin, moves it by up to about this much. */
+    const double slack = 0.02 * f.distance + 4e-7 * magnitude;
+    const double near = fmax(f.distance + f.nearest - slack, 1e-3 * f.distance);
     tl_error reason;
-    *out =
-        tl_camera_look_at(eye, center, up, framed_fov, width, height, near, depths[1] + slack);
+    *out = tl_camera_look_at(eye, f.center, f.up, framed_fov, width, height, near,
+                             f.distance + f.farthest + slack);
     if (tl_camera_check(out, &reason) != TL_OK)
         return tl_fail(err, TL_ERR_FORMAT,
                        "%s: no camera can show its box from %g %g %g to %g %g %g: %.500s",
-                       model->gltf->path, low[0], low[1], low[2], high[0], high[1], high[2],
-                       reason.message);
+                       model->gltf->path, around.low[0], around.low[1], around.low[2],
+                       around.high[0], around.high[1], around.high[2], reason.message);
     return TL_OK;
 }
 

@@ -100,6 +100,9 @@ void main()
 #ifdef HAS_EMISSIVE
     emitted *= texture(emissive_texture, uv_of(SLOT_EMISSIVE)).rgb;
 #endif
+    // The interpolated view position is as exact as depth gets here, a few units of 2^-24, and serves
+    // every projection: 1 / gl_FragCoord.w is the same number but for orthographic cameras, and
+    // undoing the reversed depth adds the roundings of near, far and the quotient.
     normal_depth = vec4(shading_normal(), -view_position.z);
     albedo_metallic = vec4(clamp(base.rgb, 0.0, 1.0), metallic);
     roughness_occlusion = vec2(roughness, occlusion);
