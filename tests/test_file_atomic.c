@@ -4,6 +4,7 @@
 #include "file_cases.h"
 
 #include "atomic_file.h"
+#include "full_device.h"
 #include "tilelight/gbuffer_file.h"
 
 #include <dirent.h>
@@ -199,14 +200,21 @@ static void links_are_followed(void **state)
 
 static void devices(void **state)
 {
-    static const char *const full[] = {"/dev/full", "No space left", "free some space", NULL};
+    static const char *const words[] = {"No space left", "free some space", NULL};
     (void)state;
+    char null[512], full[512];
     tl_error err;
     struct stat seen;
-    ASSERT_OK(write_text("/dev/null", "x", &err), err);
-    assert_int_equal(stat("/dev/null", &seen), 0);
+    own_device(null, sizeof null, "atomic_null", 3);
+    own_device(full, sizeof full, "atomic_full", 7);
+    ASSERT_OK(write_text(null, "x", &err), err);
+    assert_int_equal(stat(null, &seen), 0);
     assert_true(S_ISCHR(seen.st_mode));
-    assert_refused("full", write_text("/dev/full", "x", &err), TL_ERR_WRITE, &err, full);
+    assert_refused("full", write_text(full, "x", &err), TL_ERR_WRITE, &err, words);
+    assert_int_equal(stat(full, &seen), 0);
+    assert_true(S_ISCHR(seen.st_mode));
+    remove_device(null);
+    remove_device(full);
 }
 
 static void *drain(void *path)

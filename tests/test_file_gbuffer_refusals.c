@@ -1,6 +1,6 @@
 /* Is a file that is no good G-buffer refused, with a sentence that says why, and before memory is
  * taken for it? */
-#define _POSIX_C_SOURCE 200809L /* pwrite */
+#define _POSIX_C_SOURCE 200809L /* pwrite, truncate */
 #include "file_cases.h"
 
 #include "exr_recipes.h"
@@ -155,21 +155,29 @@ static const struct {
     const char *name;
     exr_compression_t compression;
     int32_t box[4]; /* x0, y0, x1, y1 */
+    size_t padding; /* zeros appended to the file, in bytes */
     const char *words[3];
 } windows[] = {
-    {"large, uncompressed", EXR_COMPRESSION_NONE, {0, 0, 1023, 1023}, {"cut short"}},
-    {"largest, zipped", EXR_COMPRESSION_ZIP, {0, 0, 16383, 16383}, {"promises"}},
-    {"one too wide", EXR_COMPRESSION_ZIP, {0, 0, 16384, 3}, {"refused.exr"}},
+    {"large, uncompressed", EXR_COMPRESSION_NONE, {0, 0, 1023, 1023}, 0, {"cut short"}},
+    {"largest, zipped", EXR_COMPRESSION_ZIP, {0, 0, 16383, 16383}, 0, {"cut short"}},
+    {"largest, with room for a table of chunks",
+     EXR_COMPRESSION_ZIP,
+     {0, 0, 16383, 16383},
+     40000,
+     {"MiB of pixels"}},
+    {"one too wide", EXR_COMPRESSION_ZIP, {0, 0, 16384, 3}, 0, {"refused.exr"}},
     {"as large as numbers go",
      EXR_COMPRESSION_ZIP,
      {0, 0, INT32_MAX, INT32_MAX},
+     0,
      {"refused.exr"}},
     {"wider than numbers go",
      EXR_COMPRESSION_ZIP,
      {INT32_MIN, 0, INT32_MAX, 1},
+     0,
      {"refused.exr"}},
-    {"inside out", EXR_COMPRESSION_ZIP, {4, 2, 0, 0}, {"refused.exr"}},
-    {"more rows than chunks", EXR_COMPRESSION_ZIP, {0, 0, 4, 4000}, {"refused.exr"}},
+    {"inside out", EXR_COMPRESSION_ZIP, {4, 2, 0, 0}, 0, {"refused.exr"}},
+    {"more rows than chunks", EXR_COMPRESSION_ZIP, {0, 0, 4, 4000}, 0, {"refused.exr"}},
 };
 
 static void windows_promise_too_much(void **state)
@@ -188,6 +196,7 @@ static void windows_promise_too_much(void **state)
         patch_window(bytes, size, "dataWindow", windows[i].box);
         patch_window(bytes, size, "displayWindow", windows[i].box);
         save_bytes(path, bytes, size);
+        assert_int_equal(truncate(path, (off_t)(size + windows[i].padding)), 0);
         free(bytes);
         const tl_status status = tl_gbuffer_read(path, &gbuffer, NULL, NULL, &err);
         assert_refused(windows[i].name, status, TL_ERR_FORMAT, &err, windows[i].words);

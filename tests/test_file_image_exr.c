@@ -1,8 +1,9 @@
 /* Do pictures come back from OpenEXR files: floats bit for bit, halves to the nearest, the same
  * bytes for any number of threads? */
-#define _POSIX_C_SOURCE 200809L /* setenv */
+#define _GNU_SOURCE /* setenv, mknod */
 #include "file_cases.h"
 
+#include "full_device.h"
 #include "tilelight/image.h"
 
 static tl_image *make_image(uint32_t width, uint32_t height)
@@ -90,15 +91,17 @@ static void threads_change_nothing(void **state)
 
 static void failures_are_told(void **state)
 {
-    static const char *const full[] = {"/dev/full", "No space", NULL};
+    static const char *const full_words[] = {"No space", NULL};
     static const char *const absent[] = {"absent/x.exr", "No such file", NULL};
     (void)state;
-    char path[512];
+    char path[512], full[512];
     tl_error err;
     tl_image *image = make_image(40, 30);
     scratch_path(path, sizeof path, "absent/x.exr");
-    assert_refused("full", tl_image_write_exr("/dev/full", image, 0, &err), TL_ERR_WRITE, &err,
-                   full);
+    own_device(full, sizeof full, "image_full", 7);
+    assert_refused("full", tl_image_write_exr(full, image, 0, &err), TL_ERR_WRITE, &err,
+                   full_words);
+    remove_device(full);
     assert_refused("absent", tl_image_write_exr(path, image, 1, &err), TL_ERR_WRITE, &err,
                    absent);
     tl_image_destroy(image);

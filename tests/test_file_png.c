@@ -1,8 +1,9 @@
 /* Are PNG files read to the values they hold, whatever their colour type; do ours come back; are
  * damaged ones refused? */
-#define _POSIX_C_SOURCE 200809L /* truncate */
+#define _GNU_SOURCE /* truncate, mknod */
 #include "file_cases.h"
 
+#include "full_device.h"
 #include "png_cases.h"
 #include "tilelight/image.h"
 
@@ -146,9 +147,9 @@ static void others_are_refused(void **state)
     static const char *const neither[] = {"neither", "PNG", NULL};
     static const char *const absent[] = {"cannot be opened", NULL};
     static const char *const folder[] = {"cannot be read", NULL};
-    static const char *const full[] = {"/dev/full", "No space", NULL};
+    static const char *const full_words[] = {"No space", NULL};
     (void)state;
-    char path[512];
+    char path[512], full[512];
     tl_error err;
     tl_image *image = NULL;
     static const uint8_t rgb[3] = {1, 2, 3};
@@ -159,8 +160,9 @@ static void others_are_refused(void **state)
     assert_refused("gif", tl_image_read(path, &image, NULL, &err), TL_ERR_FORMAT, &err,
                    neither);
     assert_refused("folder", tl_image_read("/", &image, NULL, &err), TL_ERR_READ, &err, folder);
-    assert_refused("full", tl_png_write("/dev/full", rgb, 1, 1, &err), TL_ERR_WRITE, &err,
-                   full);
+    own_device(full, sizeof full, "png_full", 7);
+    assert_refused("full", tl_png_write(full, rgb, 1, 1, &err), TL_ERR_WRITE, &err, full_words);
+    remove_device(full);
     assert_null(image);
     remove(path);
 }

@@ -1,7 +1,9 @@
 /* Is a lights file that says something wrong, unknown or not yet supported refused, with a sentence
  * that names the light and the field? */
+#define _GNU_SOURCE /* mknod */
 #include "file_cases.h"
 
+#include "full_device.h"
 #include "tilelight/lights.h"
 
 #define FILE_WITH(members) "{ \"tilelight\": 1, " members " }"
@@ -185,19 +187,40 @@ static void too_large(void **state)
     free(text);
 }
 
+/* What could not be read back is not written: a position of 9 digits and a name, 140 bytes each. */
+static void too_many_to_write(void **state)
+{
+    static const char *const words[] = {"500000 lights", "64 at most", NULL};
+    (void)state;
+    tl_error err;
+    tl_light_set set = {0};
+    tl_light light = tl_light_default();
+    char *text = NULL;
+    for (int i = 0; i < 3; i++)
+        light.position[i] = 1.0f / 3.0f;
+    memset(light.name, 'n', sizeof light.name - 1);
+    for (int i = 0; i < 500000; i++)
+        ASSERT_OK(tl_light_set_add(&set, &light, &err), err);
+    assert_refused("many", tl_lights_format(&set, &text, &err), TL_ERR_WRITE, &err, words);
+    assert_null(text);
+    tl_light_set_clear(&set);
+}
+
 static void files_that_are_none(void **state)
 {
     static const char *const absent[] = {"absent.json", "cannot be opened", NULL};
     static const char *const folder[] = {"cannot be read", NULL};
-    static const char *const full[] = {"/dev/full", "No space", NULL};
+    static const char *const full_words[] = {"No space", NULL};
     (void)state;
-    char path[512];
+    char path[512], full[512];
     tl_error err;
     tl_light_set set = {0};
     scratch_path(path, sizeof path, "absent.json");
     assert_refused("absent", tl_lights_read(path, &set, &err), TL_ERR_READ, &err, absent);
     assert_refused("folder", tl_lights_read("/", &set, &err), TL_ERR_READ, &err, folder);
-    assert_refused("full", tl_lights_write("/dev/full", &set, &err), TL_ERR_WRITE, &err, full);
+    own_device(full, sizeof full, "lights_full", 7);
+    assert_refused("full", tl_lights_write(full, &set, &err), TL_ERR_WRITE, &err, full_words);
+    remove_device(full);
 }
 
 int main(void)
@@ -205,7 +228,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_wrong_is_named), cmocka_unit_test(truncations_are_refused),
         cmocka_unit_test(deep_nesting),           cmocka_unit_test(too_large),
-        cmocka_unit_test(files_that_are_none),
+        cmocka_unit_test(too_many_to_write),      cmocka_unit_test(files_that_are_none),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,20 +4,22 @@
 #include "light_fields.h"
 #include "whole_file.h"
 
+#include <float.h>
 #include <jansson.h>
 #include <locale.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* The fewest digits that read back as the same float; nine always do. */
+/* The fewest digits that read back as the same float: six show every decimal of up to six digits
+ * as it was, nine are enough for all. */
 static void print_number(FILE *out, float value)
 {
     char text[32];
-    int digits = 1;
+    int digits = FLT_DIG;
     do
         snprintf(text, sizeof text, "%.*g", digits, (double)value);
-    while (digits++ < 9 && strtof(text, NULL) != value);
+    while (digits++ < FLT_DECIMAL_DIG && strtof(text, NULL) != value);
     /* JSON's readers may take -0 for the whole number 0, which has no sign. */
     fputs(strcmp(text, "-0") == 0 ? "-0.0" : text, out);
 }
@@ -121,6 +123,12 @@ tl_status tl_lights_format(const tl_light_set *set, char **out, tl_error *err)
         free(text);
         return tl_fail(err, TL_ERR_MEMORY, "out of memory for the text of %zu lights",
                        set->count);
+    }
+    if (size > TL_LIGHTS_TEXT_LIMIT) {
+        free(text);
+        return tl_fail(err, TL_ERR_WRITE,
+                       "%zu lights are %zu MiB of text; a file of lights holds %zu at most",
+                       set->count, size >> 20, TL_LIGHTS_TEXT_LIMIT >> 20);
     }
     *out = text;
     return TL_OK;

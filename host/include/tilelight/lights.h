@@ -85,7 +85,8 @@ tl_status tl_lights_parse(
     const char *text, size_t size, const char *source, tl_light_set *set, tl_error *err);
 
 /* The same set as text that tl_lights_parse reads back bit for bit. The caller frees *out.
- * Fails with TL_ERR_MEMORY. */
+ * Fails with TL_ERR_MEMORY, or with TL_ERR_WRITE where the text is larger than the 64 MiB that
+ * reading takes. */
 tl_status tl_lights_format(const tl_light_set *set, char **out, tl_error *err);
 
 /* Writes tl_lights_format's text atomically; "-" is standard output. Fails with TL_ERR_WRITE. */
