@@ -1,5 +1,6 @@
 # What the device computes, and the formulas behind it.
 tl_test(test_specular_rounding unit tl_frame)
+target_compile_options(test_specular_rounding PRIVATE -Wno-double-promotion)
 tl_test(test_frame_layout device tl_lighting)
 tl_test(test_same_bits device tl_lighting)
 tl_test(test_culling_exact device tl_lighting)

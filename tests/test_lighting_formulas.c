@@ -133,7 +133,7 @@ typedef struct arithmetic {
     wide displaced;
     /* Of each term: falloff 6u (falloff.h), N.L 6u, colours 4u, and 1u for each later sum. */
     wide term;
-    wide lobe; /* times (32 + sqrt(e)): specular.h */
+    wide lobe; /* times 33: specular.h */
 } arithmetic;
 
 static const wide u = 0x1p-24L;
@@ -150,7 +150,7 @@ static wide displacement(const tl_camera *c, v3 point)
 
 /* Radiance, and in *slack how far it moves when every light is displaced: falloffs fall, so their
  * ends bound them; directions turn by displacement / distance, which changes N.L by as much and
- * cos^e by at most sqrt(e) of it (specular.h, step 2). */
+ * cos^e by at most sqrt(e) of it, where e sin cos^(e - 1) is steepest. */
 static v3 radiance(const tl_gbuffer *g,
                    const tl_light_set *lights,
                    const arithmetic *by,
@@ -177,8 +177,7 @@ static v3 radiance(const tl_gbuffer *g,
         const wide weight = fade(light, d) * light->intensity;
         const wide fall = (fade(light, d - moved) - fade(light, d + moved)) * light->intensity;
         const wide lobe = n_dot_h > 0 ? powl(n_dot_h, s.shininess) : 0;
-        const wide steep =
-            turn * (1 + sqrtl(s.shininess)) + by->lobe * u * (32 + sqrtl(s.shininess));
+        const wide steep = turn * (1 + sqrtl(s.shininess)) + by->lobe * u * 33;
         for (int i = 0; i < 3; i++) {
             const wide diffuse = light->color[i] * s.diffuse.v[i] * light->diffuse;
             const wide specular = light->color[i] * s.specular.v[i] * light->specular;
