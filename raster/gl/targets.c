@@ -38,6 +38,10 @@ static const struct target {
                          {0.0f, 0.0f, 0.0f, 0.0f}},
 };
 
+/* Pixels read back at a time: small enough to be split into planes while still in the cache, and
+ * fresh memory is slow to touch. */
+static const uint32_t chunk_pixels = 1u << 18;
+
 /* Pixels per band: 60 bytes each, 1 GB in all, so that a picture of 4096 x 4096 is one band. */
 static const uint32_t band_pixels = 1u << 24;
 
@@ -83,10 +87,11 @@ tl_status tl_targets_create(const tl_gl *gl,
         GL_FRAMEBUFFER_COMPLETE)
         return tl_fail(err, TL_ERR_DEVICE, "OpenGL cannot render to float targets of %u x %u",
                        made.width, made.rows);
-    made.scratch = malloc((size_t)made.width * made.rows * 4 * sizeof(float));
+    made.chunk_rows = chunk_pixels / made.width; /* at least 16 */
+    made.scratch = malloc((size_t)made.width * made.chunk_rows * 4 * sizeof(float));
     if (!made.scratch)
         return tl_fail(err, TL_ERR_MEMORY, "out of memory for reading back %u x %u pixels",
-                       made.width, made.rows);
+                       made.width, made.chunk_rows);
     *out = made;
     return TL_OK;
 }
@@ -127,6 +132,27 @@ static void split_rows(void *context, size_t begin, size_t end)
         }
 }
 
+/* Rows [from, from + rows) of one target to rows from `to` on of its planes. */
+static void read_chunk(const tl_gl *gl,
+                       const tl_targets *given,
+                       tl_gbuffer *gbuffer,
+                       int target,
+                       uint32_t from,
+                       uint32_t to,
+                       uint32_t rows)
+{
+    split work = {&targets[target], given->scratch, {NULL}, given->width, gbuffer->pitch};
+    for (int c = 0; c < targets[target].channel_count; c++) {
+        const int plane = targets[target].planes[c];
+        float *const found =
+            plane == NO_PLANE ? NULL : tl_gbuffer_plane(gbuffer, (enum tl_plane)plane);
+        work.to[c] = found ? found + (size_t)to * gbuffer->pitch : NULL;
+    }
+    gl->ReadPixels(0, (GLint)from, (GLsizei)given->width, (GLsizei)rows, targets[target].format,
+                   GL_FLOAT, given->scratch);
+    tl_parallel(rows, 16, split_rows, &work);
+}
+
 void tl_targets_read(const tl_gl *gl,
                      const tl_targets *given,
                      tl_gbuffer *gbuffer,
@@ -135,18 +161,13 @@ void tl_targets_read(const tl_gl *gl,
 {
     gl->BindFramebuffer(GL_READ_FRAMEBUFFER, given->framebuffer);
     for (int i = 0; i < TARGET_COUNT; i++) {
-        split work = {&targets[i], given->scratch, {NULL}, given->width, gbuffer->pitch};
         if (!is_wanted(i, given->present))
             continue;
         gl->NamedFramebufferReadBuffer(given->framebuffer, GL_COLOR_ATTACHMENT0 + (GLenum)i);
-        gl->ReadPixels(0, 0, (GLsizei)given->width, (GLsizei)rows, targets[i].format, GL_FLOAT,
-                       given->scratch);
-        for (int c = 0; c < 4; c++) {
-            const int plane = targets[i].planes[c];
-            float *const found =
-                plane == NO_PLANE ? NULL : tl_gbuffer_plane(gbuffer, (enum tl_plane)plane);
-            work.to[c] = found ? found + (size_t)first * gbuffer->pitch : NULL;
+        for (uint32_t y = 0; y < rows; y += given->chunk_rows) {
+            const uint32_t left = rows - y;
+            read_chunk(gl, given, gbuffer, i, y, first + y,
+                       left < given->chunk_rows ? left : given->chunk_rows);
         }
-        tl_parallel(rows, 16, split_rows, &work);
     }
 }

@@ -10,7 +10,8 @@ typedef struct tl_targets {
     GLuint framebuffer;
     uint32_t width, rows; /* a band of the picture: it is rendered band by band */
     uint32_t present;     /* the G-buffer's planes */
-    float *scratch;       /* [rows][width][4], owned */
+    uint32_t chunk_rows;  /* read back at a time */
+    float *scratch;       /* [chunk_rows][width][4], owned */
 } tl_targets;
 
 /* Makes targets for the planes of `gbuffer`, as high as a bounded amount of memory allows. Release
