@@ -1,1 +1,9 @@
 # Tests of this kind, by name.
+pkg_check_modules(JANSSON REQUIRED IMPORTED_TARGET jansson)
+
+tl_test(test_command_usage command tl_base)
+tl_test(test_command_frames command tl_files PkgConfig::JANSSON)
+tl_test(test_command_failures command tl_base)
+foreach(name usage frames failures)
+    add_dependencies(test_command_${name} tilelight)
+endforeach()

@@ -115,7 +115,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         options->tone = (tl_tone)value_word(state, "--tone", text, &tones);
         return 0;
     case OPTION_EXR: options->half = value_word(state, "--exr", text, &depths) == 1; return 0;
-    case ARGP_KEY_END:
+    case ARGP_KEY_SUCCESS: /* after the arguments, which are asked for first */
         if (options->count == 0)
             argp_error(state, "-o is missing: where the picture goes");
         return 0;

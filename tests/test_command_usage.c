@@ -1,0 +1,121 @@
+/* Is each way of calling the program wrongly told apart, by exit status and by words? */
+#define _GNU_SOURCE
+#include "program.h"
+
+#include <unistd.h>
+
+static const struct {
+    const char *command;
+    int exit_status;
+    const char *out_word, *err_word;
+} cases[] = {
+    {"$T --help", 0, "render", ""},
+    {"$T help", 0, "Exit status", ""},
+    {"$T", 2, "capture", ""},
+    {"$T --version", 0, "tilelight ", ""},
+    {"$T help light", 0, "--light-cutoff", ""},
+    {"$T help help", 0, "Exit status", ""},
+    {"$T help nothing", 2, "", "no such command \"nothing\""},
+    {"$T rendr", 2, "", "did you mean \"render\"?"},
+    {"$T frobnicate", 2, "", "`tilelight --help' lists them"},
+    {"$T render --help", 0, "--scatter", ""},
+    {"$T capture --help", 0, "--lights-out", ""},
+    {"$T scatter --help", 0, "--overlap", ""},
+    {"$T compare --help", 0, "--tolerance", ""},
+    {"$T info --help", 0, "--json", ""},
+    {"$T devices --help", 0, "--json", ""},
+
+    {"$T light", 2, "", "G.exr is missing"},
+    {"$T light a.exr", 2, "", "-o is missing"},
+    {"$T light a.exr b.exr -o c.png", 2, "", "\"b.exr\" is an argument too many"},
+    {"$T light a.exr -o c.png --frob", 2, "", "--frob"},
+    {"$T light a.exr -o c.jpg", 2, "", "-o: cannot tell what to write from \"c.jpg\""},
+    {"$T light a.exr -o .png", 2, "", "cannot tell"},
+    {"$T light a.exr -o ''", 2, "", "cannot tell"},
+    {"$T light a.exr -o c.json", 2, "", "end it in .png, .exr, - (standard output)"},
+    {"$T light a.exr -o - --json", 2, "", "--json"},
+    {"$T light a.exr -o c.png --cull foo", 2, "",
+     "--cull: no such mode \"foo\"; modes: depth, rect, none"},
+    {"$T light a.exr -o c.png --precision half", 2, "", "reference, twin"},
+    {"$T light a.exr -o c.png --tone filmic", 2, "", "curves: aces, reinhard, none"},
+    {"$T light a.exr -o c.png --exr double", 2, "", "float, half"},
+    {"$T light a.exr -o c.png --tile 12", 2, "", "--tile: \"12\" is none of 8, 16, 32, 64"},
+    {"$T light a.exr -o c.png --width 0", 2, "", "--width: \"0\" is none of 1, 4, 8, 16"},
+    {"$T light a.exr -o c.png --exposure nan", 2, "", "is no number from -64 to 64"},
+    {"$T light a.exr -o c.png --exposure inf", 2, "", "--exposure"},
+    {"$T light a.exr -o c.png --exposure 1x", 2, "", "\"1x\""},
+    {"$T light a.exr -o c.png --exposure ''", 2, "", "--exposure"},
+    {"$T light a.exr -o c.png --light-cutoff -1", 2, "", "--light-cutoff"},
+    {"$T render s.gltf -o c.png --size 0x1", 2, "", "each from 1 to 16384"},
+    {"$T render s.gltf -o c.png --size 16385x1", 2, "", "--size: \"16385x1\""},
+    {"$T render s.gltf -o c.png --size 4294967297x1", 2, "", "--size"},
+    {"$T render s.gltf -o c.png --size 10", 2, "", "WIDTHxHEIGHT"},
+    {"$T render s.gltf -o c.png --size 10x-1", 2, "", "--size"},
+    {"$T render s.gltf -o c.png --size 10x1x1", 2, "", "--size"},
+    {"$T render s.gltf -o c.png --scatter 0", 2, "", "--scatter"},
+    {"$T render s.gltf -o c.png --scatter 8 --lights l.json", 2, "", "exclude each other"},
+    {"$T capture s.gltf -o g.png", 2, "", "end it in .exr"},
+    {"$T capture s.gltf -o -", 2, "", "end it in .exr"},
+    {"$T capture s.gltf", 2, "", "-o is missing"},
+    {"$T capture s.gltf -o g.exr --lights-out l.txt", 2, "", "--lights-out"},
+    {"$T capture s.gltf -o g.exr --lights-out - --json", 2, "", "--json"},
+    {"$T scatter g.exr -o l.json --count 0", 2, "", "--count: \"0\" is no whole number from 1"},
+    {"$T scatter g.exr -o l.json --count 1000001", 2, "", "to 1000000"},
+    {"$T scatter g.exr -o l.json --seed 4294967296", 2, "", "--seed"},
+    {"$T scatter g.exr -o l.json --overlap nan", 2, "", "--overlap"},
+    {"$T scatter g.exr -o l.json --falloff lut", 2, "", "inverse-square, linear"},
+    {"$T scatter g.exr", 2, "", "-o is missing"},
+    {"$T compare a.exr", 2, "", "B is missing"},
+    {"$T compare a b --metric psnr", 2, "", "metrics: max, mean, rms, p999"},
+    {"$T compare a b --tolerance -1", 2, "", "--tolerance"},
+    {"$T devices x", 2, "", "\"x\" is an argument too many"},
+
+    {"$T light missing.exr -o c.png", 3, "", "missing.exr"},
+    {"$T render missing.gltf -o c.png", 3, "", "missing.gltf"},
+    {"$T capture missing.gltf -o c.exr", 3, "", "missing.gltf"},
+    {"$T scatter missing.exr -o l.json", 3, "", "missing.exr"},
+    {"$T compare missing.exr b.exr", 3, "", "missing.exr"},
+    {"$T info missing", 3, "", "missing"},
+    {"$T info $D/make_scenes.py", 3, "", "make_scenes.py"},
+    {"$T render $D/nine-lights.gltf -o c.png --camera nowhere", 2, "", "nowhere"},
+    {"$T light $D/nine-lights.gltf -o c.png", 3, "", "nine-lights.gltf"},
+    {"printf '{\"tilelight\": 1, \"lights\": [{\"type\": \"point\", \"position\": [0,0,0], "
+     "\"strength\": 2}]}' | $T render $D/nine-lights.gltf -o c.png --lights -",
+     3, "", "strength"},
+    {"printf '{\"tilelight\": 1, \"ambient\": [NaN, 0, 0]}' | $T render $D/nine-lights.gltf "
+     "-o c.png --lights -",
+     3, "", "tilelight: "},
+
+    {"OCL_ICD_VENDORS=/nonexistent $T render $D/nine-lights.gltf -o c.png", 4, "", "device"},
+    {"OCL_ICD_VENDORS=/nonexistent $T devices", 0, "", "pocl-opencl-icd"},
+    {"$T render $D/nine-lights.gltf -o c.png --device nowhere", 4, "", "nowhere"},
+    {"$T render $D/nine-lights.gltf -o c.png --device 99", 4, "", "99"},
+
+    {"$T light a.exr -o nowhere/c.png", 5, "", "nowhere/c.png"},
+    {"$T devices >/dev/full", 5, "", "standard output"},
+    {"$T devices --json >/dev/full", 5, "", "standard output"},
+    {"$T --help >/dev/full", 5, "", "standard output"},
+};
+
+static void each_case_says_what_it_should(void **state)
+{
+    (void)state;
+    enter_empty_folder("command-usage");
+    for (size_t i = 0; i < COUNT_OF(cases); i++) {
+        const program_run *run = expect_run(cases[i].command, cases[i].exit_status,
+                                            cases[i].out_word, cases[i].err_word);
+        /* A failure past the options is one sentence. */
+        const char *end = strchr(run->err, '\n');
+        if (run->exit_status >= 3 &&
+            (!end || end[1] || strncmp(run->err, "tilelight: ", 11) != 0))
+            fail_msg("%s: not one sentence:\n%s", cases[i].command, run->err);
+        if (count_files() != 0)
+            fail_msg("%s: left a file behind", cases[i].command);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(each_case_says_what_it_should)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
