@@ -1,2 +1,4 @@
 # Tests of this kind, by name.
 tl_test(test_capture_planes raster tl_raster)
+tl_test(test_gltf_refusals raster tl_raster)
+tl_test(test_gltf_truncations raster tl_raster)

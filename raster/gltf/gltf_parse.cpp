@@ -346,9 +346,13 @@ void mirror_model(document &d)
 // --- parsing ----------------------------------------------------------------------------------
 
 // tinygltf's messages are lines, sometimes with a whole data URI in them: the first part of them
-// as one clause.
+// as one clause, without the data.
 std::string as_clause(std::string text)
 {
+    const std::string mark = ";base64,";
+    const size_t data = text.find(mark);
+    if (data != std::string::npos)
+        text.replace(data + mark.size(), text.find(' ', data) - data - mark.size(), "...");
     while (!text.empty() && (text.back() == '\n' || text.back() == '.' || text.back() == ' '))
         text.pop_back();
     for (char &c : text)
