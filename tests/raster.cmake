@@ -2,3 +2,4 @@
 tl_test(test_capture_planes raster tl_raster)
 tl_test(test_gltf_refusals raster tl_raster)
 tl_test(test_gltf_truncations raster tl_raster)
+tl_test(test_golden_capture raster tl_raster tl_files)
