@@ -58,27 +58,8 @@ typedef struct surfaces {
     const tl_gbuffer *gbuffer;
     const float *depth;
     uint64_t *before; /* [height + 1]: visible pixels in the rows above each */
+    double largest;   /* surface area that a pixel shows, at most; see area_of */
 } surfaces;
-
-static tl_status surfaces_count(surfaces *s, const tl_gbuffer *gbuffer, tl_error *err)
-{
-    const tl_camera *camera = &gbuffer->camera;
-    *s = (surfaces){gbuffer, tl_gbuffer_plane(gbuffer, TL_DEPTH), NULL};
-    s->before = calloc((size_t)camera->height + 1, sizeof *s->before);
-    if (!s->before)
-        return tl_fail(err, TL_ERR_MEMORY, "out of memory for scattering lights");
-    for (size_t y = 0; y < camera->height; y++) {
-        s->before[y + 1] = s->before[y];
-        for (size_t x = 0; x < camera->width; x++)
-            s->before[y + 1] += isfinite(s->depth[y * gbuffer->pitch + x]) != 0;
-    }
-    if (s->before[camera->height] > 0)
-        return TL_OK;
-    free(s->before);
-    s->before = NULL;
-    return tl_fail(err, TL_ERR_ARGUMENT,
-                   "the frame is all sky: there is no surface to scatter lights on");
-}
 
 /* The visible pixel of this rank, row by row, as an index into a plane. */
 static size_t find_pixel(const surfaces *s, uint64_t rank)
@@ -98,11 +79,6 @@ static size_t find_pixel(const surfaces *s, uint64_t rank)
     while (x + 1 < width && (!isfinite(row[x]) || left-- > 0))
         x++;
     return low * s->gbuffer->pitch + x;
-}
-
-static size_t random_pixel(const surfaces *s, uint64_t *state)
-{
-    return find_pixel(s, random_below(state, s->before[s->gbuffer->camera.height]));
 }
 
 /* As kernels see it: on the ray through the pixel's centre. */
@@ -134,6 +110,85 @@ static point surface_normal(const surfaces *s, size_t pixel)
     for (unsigned axis = 0; axis < 3 && length2 > 0.0; axis++)
         n.position[axis] /= sqrt(length2);
     return n;
+}
+
+/* The surface that a pixel shows, up to the frame's constant: depth^2 / |n . ray|, the ray as long as
+ * its depth of 1 makes it. A surface seen edge-on counts as one at 3 degrees. */
+static double area_of(const surfaces *s, size_t pixel)
+{
+    const tl_camera *c = &s->gbuffer->camera;
+    const int parallel = c->projection == TL_ORTHOGRAPHIC;
+    const double depth = parallel ? 1.0 : (double)s->depth[pixel];
+    const double column = (double)(pixel % s->gbuffer->pitch) + 0.5;
+    const double row = (double)(pixel / s->gbuffer->pitch) + 0.5;
+    const double left = (double)c->left, right = (double)c->right;
+    const double bottom = (double)c->bottom, top = (double)c->top;
+    const double ray[3] = {parallel ? 0.0 : left + (right - left) * column / (double)c->width,
+                           parallel ? 0.0 : top - (top - bottom) * row / (double)c->height,
+                           -1.0};
+    const point n = surface_normal(s, pixel);
+    double world[3], cosine = 0.0, length2 = 0.0;
+    tl_camera_world_direction(c, ray, world);
+    for (int axis = 0; axis < 3; axis++) {
+        cosine += n.position[axis] * world[axis];
+        length2 += world[axis] * world[axis];
+    }
+    const double least = 0.05 * sqrt(length2);
+    return depth * depth / (fabs(cosine) > least ? fabs(cosine) : least);
+}
+
+static void find_largest(surfaces *s)
+{
+    const tl_camera *camera = &s->gbuffer->camera;
+    for (size_t y = 0; y < camera->height; y++)
+        for (size_t x = 0; x < camera->width; x++) {
+            const size_t pixel = y * s->gbuffer->pitch + x;
+            const double area = isfinite(s->depth[pixel]) ? area_of(s, pixel) : 0.0;
+            s->largest = area > s->largest ? area : s->largest;
+        }
+}
+
+static size_t random_pixel(const surfaces *s, uint64_t *state)
+{
+    return find_pixel(s, random_below(state, s->before[s->gbuffer->camera.height]));
+}
+
+/* A pixel as likely as the surface it shows is large: lights are spread evenly over surfaces, not over
+ * the picture, where near ones would get most. By rejection; a frame of which one pixel shows nearly
+ * everything is not waited for. */
+static size_t random_foot(const surfaces *s, uint64_t *state)
+{
+    enum { MOST_TRIES = 256 };
+    size_t pixel = random_pixel(s, state);
+    for (int i = 1; i < MOST_TRIES; i++) {
+        const double area = area_of(s, pixel);
+        if (area >= s->largest || random_share(state) * s->largest < area)
+            break;
+        pixel = random_pixel(s, state);
+    }
+    return pixel;
+}
+
+static tl_status surfaces_count(surfaces *s, const tl_gbuffer *gbuffer, tl_error *err)
+{
+    const tl_camera *camera = &gbuffer->camera;
+    *s = (surfaces){gbuffer, tl_gbuffer_plane(gbuffer, TL_DEPTH), NULL, 0.0};
+    s->before = calloc((size_t)camera->height + 1, sizeof *s->before);
+    if (!s->before)
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for scattering lights");
+    for (size_t y = 0; y < camera->height; y++) {
+        s->before[y + 1] = s->before[y];
+        for (size_t x = 0; x < camera->width; x++)
+            s->before[y + 1] += isfinite(s->depth[y * gbuffer->pitch + x]) != 0;
+    }
+    if (s->before[camera->height] > 0) {
+        find_largest(s);
+        return TL_OK;
+    }
+    free(s->before);
+    s->before = NULL;
+    return tl_fail(err, TL_ERR_ARGUMENT,
+                   "the frame is all sky: there is no surface to scatter lights on");
 }
 
 static double distance2(const point *a, const point *b)
@@ -303,7 +358,7 @@ static tl_status place_lights(const tl_scatter_options *options,
     uint64_t state = options->seed;
     tl_light light;
     for (size_t i = 0; i < options->count; i++) {
-        pixels[i] = random_pixel(s, &state);
+        pixels[i] = random_foot(s, &state);
         feet[i] = surface_point(s, pixels[i]);
     }
     TRY(choose_light(options, s, feet, &light, err));
