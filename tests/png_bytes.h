@@ -13,7 +13,8 @@ static inline void png_append(png_bytes *to, const void *data, size_t size)
 {
     to->data = realloc(to->data, to->size + size);
     assert_non_null(to->data);
-    memcpy(to->data + to->size, data, size);
+    if (size > 0) /* an empty chunk has no bytes to point at */
+        memcpy(to->data + to->size, data, size);
     to->size += size;
 }
 

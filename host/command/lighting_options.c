@@ -12,7 +12,8 @@ enum {
     OPTION_DEVICE,
     OPTION_PRECISION,
     OPTION_WIDTH,
-    OPTION_CUTOFF
+    OPTION_CUTOFF,
+    OPTION_MEMORY
 };
 
 #define WORD(name, word, meaning) [name] = word,
@@ -54,6 +55,10 @@ static error_t parse(int key, char *text, struct argp_state *state)
     case OPTION_CUTOFF:
         options->light_cutoff = (float)value_number(state, "--light-cutoff", text, 0.0, 1e30);
         return 0;
+    case OPTION_MEMORY:
+        options->memory_limit =
+            (uint64_t)(value_number(state, "--memory", text, 0.0, 1e9) * 1e6);
+        return 0;
     case ARGP_KEY_INIT: state->child_inputs[0] = &choice->strict; return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
@@ -77,6 +82,11 @@ static const struct argp_option options_table[] = {
      "Vector lanes of the kernels: 1, 4, 8 or 16 (default: what suits the device)", 0},
     {"light-cutoff", OPTION_CUTOFF, "LUX", 0,
      "A light without a range ends where it gives this much (default 0: never)", 0},
+    {"memory", OPTION_MEMORY, "MB", 0,
+     "Device memory that lighting may take beside the frame itself; a frame that needs more is "
+     "lit "
+     "in bands, with the same bits (default 0: what the device has)",
+     0},
     {0},
 };
 
