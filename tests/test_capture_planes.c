@@ -93,9 +93,10 @@ static const struct {
      {{0, 1, 0}, 0.9, {1e8, 1e8, 1e8}, {0, 0, 0}},
      {{{0, 1, 0}, 0, {1, 1, 1}, {0, 0, 4e8}}, 0.5, 0},
      LIST},
-    /* 2^20 and 2^19 m: the camera's own floats hold these offsets exactly where it is not turned. */
+    /* 2^20 and 2^19 m: the camera's own floats hold them exactly where it is not turned; the square is
+     * at a place between floats, which are 1/8 m apart there. */
     {"far from the origin",
-     {{0, 1, 0}, 0.9, {1, 1, 1}, {1048576, 0, 524288}},
+     {{0, 1, 0}, 0.9, {1, 1, 1}, {1048576.03, 0, 524288.02}},
      {{{0, 1, 0}, 0, {1, 1, 1}, {1048576, 0, 524292}}, 0.5, 0},
      LIST},
 };
