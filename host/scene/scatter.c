@@ -57,29 +57,10 @@ typedef struct point {
 typedef struct surfaces {
     const tl_gbuffer *gbuffer;
     const float *depth;
-    uint64_t *before; /* [height + 1]: visible pixels in the rows above each */
-    double largest;   /* surface area that a pixel shows, at most; see area_of */
+    uint32_t *visible; /* [count], row by row: indices into a plane */
+    size_t count;
+    double largest; /* surface area that a pixel shows, at most; see area_of */
 } surfaces;
-
-/* The visible pixel of this rank, row by row, as an index into a plane. */
-static size_t find_pixel(const surfaces *s, uint64_t rank)
-{
-    const size_t width = s->gbuffer->camera.width;
-    size_t low = 0, high = s->gbuffer->camera.height; /* before[low] <= rank < before[high] */
-    while (high - low > 1) {
-        const size_t middle = (low + high) / 2;
-        if (s->before[middle] <= rank)
-            low = middle;
-        else
-            high = middle;
-    }
-    const float *row = s->depth + low * s->gbuffer->pitch;
-    uint64_t left = rank - s->before[low];
-    size_t x = 0;
-    while (x + 1 < width && (!isfinite(row[x]) || left-- > 0))
-        x++;
-    return low * s->gbuffer->pitch + x;
-}
 
 /* As kernels see it: on the ray through the pixel's centre. */
 static point surface_point(const surfaces *s, size_t pixel)
@@ -137,20 +118,9 @@ static double area_of(const surfaces *s, size_t pixel)
     return depth * depth / (fabs(cosine) > least ? fabs(cosine) : least);
 }
 
-static void find_largest(surfaces *s)
-{
-    const tl_camera *camera = &s->gbuffer->camera;
-    for (size_t y = 0; y < camera->height; y++)
-        for (size_t x = 0; x < camera->width; x++) {
-            const size_t pixel = y * s->gbuffer->pitch + x;
-            const double area = isfinite(s->depth[pixel]) ? area_of(s, pixel) : 0.0;
-            s->largest = area > s->largest ? area : s->largest;
-        }
-}
-
 static size_t random_pixel(const surfaces *s, uint64_t *state)
 {
-    return find_pixel(s, random_below(state, s->before[s->gbuffer->camera.height]));
+    return s->visible[random_below(state, s->count)];
 }
 
 /* A pixel as likely as the surface it shows is large: lights are spread evenly over surfaces, not over
@@ -169,24 +139,24 @@ static size_t random_foot(const surfaces *s, uint64_t *state)
     return pixel;
 }
 
-static tl_status surfaces_count(surfaces *s, const tl_gbuffer *gbuffer, tl_error *err)
+static tl_status find_surfaces(surfaces *s, const tl_gbuffer *gbuffer, tl_error *err)
 {
     const tl_camera *camera = &gbuffer->camera;
-    *s = (surfaces){gbuffer, tl_gbuffer_plane(gbuffer, TL_DEPTH), NULL, 0.0};
-    s->before = calloc((size_t)camera->height + 1, sizeof *s->before);
-    if (!s->before)
+    *s = (surfaces){.gbuffer = gbuffer, .depth = tl_gbuffer_plane(gbuffer, TL_DEPTH)};
+    s->visible = malloc((size_t)camera->width * camera->height * sizeof *s->visible);
+    if (!s->visible)
         return tl_fail(err, TL_ERR_MEMORY, "out of memory for scattering lights");
-    for (size_t y = 0; y < camera->height; y++) {
-        s->before[y + 1] = s->before[y];
-        for (size_t x = 0; x < camera->width; x++)
-            s->before[y + 1] += isfinite(s->depth[y * gbuffer->pitch + x]) != 0;
-    }
-    if (s->before[camera->height] > 0) {
-        find_largest(s);
+    for (size_t y = 0; y < camera->height; y++)
+        for (size_t x = 0; x < camera->width; x++) {
+            const size_t pixel = y * gbuffer->pitch + x;
+            if (!isfinite(s->depth[pixel]))
+                continue;
+            const double area = area_of(s, pixel);
+            s->largest = area > s->largest ? area : s->largest;
+            s->visible[s->count++] = (uint32_t)pixel;
+        }
+    if (s->count > 0)
         return TL_OK;
-    }
-    free(s->before);
-    s->before = NULL;
     return tl_fail(err, TL_ERR_ARGUMENT,
                    "the frame is all sky: there is no surface to scatter lights on");
 }
@@ -388,7 +358,7 @@ tl_status tl_scatter(const tl_gbuffer *gbuffer,
     size_t *pixels = NULL;
 
     TRY(check_options(options, err));
-    TRY(surfaces_count(&s, gbuffer, err));
+    TRY(find_surfaces(&s, gbuffer, err));
     feet = malloc(options->count * sizeof *feet);
     pixels = malloc(options->count * sizeof *pixels);
     if (!feet || !pixels)
@@ -401,6 +371,6 @@ done:
         lights->count = count_before;
     free(pixels);
     free(feet);
-    free(s.before);
+    free(s.visible);
     return status;
 }
