@@ -12,6 +12,8 @@
 
 tl_status job_begin(job *j, const report_options *options, tl_error *err)
 {
+    j->start_s = tl_process_start();
+    tl_timings_end(&j->timings, "start", j->start_s);
     if (options->json && !(j->report = json_object()))
         return tl_fail(err, TL_ERR_MEMORY, "out of memory for the report");
     return TL_OK;
@@ -139,14 +141,20 @@ done:
     return status;
 }
 
-static void print_timings(const tl_timings *timings)
+static void print_timings(const job *j)
 {
+    const tl_timings *timings = &j->timings;
     double sum = 0.0;
     for (int i = 0; i < timings->count; i++) {
         fprintf(stderr, "%-12s %10.2f ms\n", timings->stages[i].name, timings->stages[i].ms);
         sum += timings->stages[i].ms;
     }
     fprintf(stderr, "%-12s %10.2f ms\n", "sum", sum);
+    if (j->first_kernel_ms > 0.0)
+        fprintf(stderr, "%-12s %10.2f ms after the process began\n", "first kernel",
+                j->first_kernel_ms);
+    if (j->shade_processors > 0.0)
+        fprintf(stderr, "%-12s %10.2f processors busy in shading\n", "", j->shade_processors);
 }
 
 static json_t *timings_as_json(const tl_timings *timings)
@@ -161,11 +169,16 @@ tl_status job_finish(job *j, const report_options *options, tl_error *err)
 {
     console_stage(NULL);
     if (options->timings && !j->report)
-        print_timings(&j->timings);
+        print_timings(j);
     if (!j->report)
         return TL_OK;
-    if (options->timings)
+    if (options->timings) {
         job_report(j, "timings_ms", timings_as_json(&j->timings));
+        if (j->first_kernel_ms > 0.0)
+            job_report(j, "first_kernel_ms", json_real(j->first_kernel_ms));
+        if (j->shade_processors > 0.0)
+            job_report(j, "shade_processors", json_real(j->shade_processors));
+    }
     return number_json_print(json_incref(j->report), err);
 }
 

@@ -21,7 +21,10 @@ typedef struct job {
     tl_repairs repairs;
     tl_image *image;
     tl_timings timings;
-    json_t *report; /* what --json prints; NULL without it */
+    double start_s;          /* when the process began, on tl_seconds' clock */
+    double first_kernel_ms;  /* after that; 0: no kernel ran */
+    double shade_processors; /* busy in the mean while shading; 0: not measured */
+    json_t *report;          /* what --json prints; NULL without it */
 } job;
 
 /* Starts the report if it is asked for. */

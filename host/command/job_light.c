@@ -63,6 +63,10 @@ tl_status job_light(job *j, const lighting_choice *choice, tl_device *device, tl
     TRY(tl_lighting_run(lighting, j->gbuffer, &j->lights, j->image, &j->timings,
                         &console_notices, &counts, err));
     report_counts(j, &counts);
+    if (counts.first_kernel_s > 0.0)
+        j->first_kernel_ms = 1e3 * (counts.first_kernel_s - j->start_s);
+    if (counts.shade_wall_ms > 0.0)
+        j->shade_processors = counts.shade_processor_ms / counts.shade_wall_ms;
 done:
     tl_lighting_destroy(lighting);
     return status;

@@ -146,6 +146,18 @@ static int fits(const tl_pass_context *c,
            (options->memory_limit == 0 || *needed <= options->memory_limit);
 }
 
+static tl_status shade(tl_pass_context *c, tl_lighting_counts *counts, tl_error *err)
+{
+    const double clock = tl_seconds(), busy = tl_processor_seconds();
+    tl_status status = TL_OK;
+    TRY(tl_pass_shade(c, &counts->device_shade_ms, err));
+    TRY(tl_pass_finish(c, err));
+    counts->shade_wall_ms += 1e3 * (tl_seconds() - clock);
+    counts->shade_processor_ms += 1e3 * (tl_processor_seconds() - busy);
+done:
+    return status;
+}
+
 /* One band. *fitted is 0, and nothing lit, where its lists turn out too long and it has more than
  * one row to give up. */
 static tl_status light_band(tl_pass_context *c,
@@ -174,8 +186,7 @@ static tl_status light_band(tl_pass_context *c,
             TRY(tl_pass_list(c, list_length, &counts->device_cull_ms, err));
         TRY(tl_pass_finish(c, err));
         clock = tl_timings_end(timings, "cull", clock);
-        TRY(tl_pass_shade(c, &counts->device_shade_ms, err));
-        TRY(tl_pass_finish(c, err));
+        TRY(shade(c, counts, err));
         clock = tl_timings_end(timings, "shade", clock);
         TRY(read_back(c, image, err));
         tl_timings_end(timings, "readback", clock);
@@ -216,6 +227,7 @@ tl_status tl_bands_light(tl_pass_context *c,
         TRY(upload_lights(c, err));
     }
     counts->device_bytes = tl_buffers_size(c->buffers);
+    counts->first_kernel_s = c->first_start_s;
 done:
     return status;
 }

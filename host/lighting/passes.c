@@ -224,16 +224,24 @@ tl_status tl_pass_shade(tl_pass_context *c, double *ms, tl_error *err)
 tl_status tl_pass_finish(tl_pass_context *c, tl_error *err)
 {
     const tl_status status = tl_cl(clFinish(c->device->queue), "clFinish", err);
+    const double now = tl_seconds();
+    cl_ulong first = CL_ULONG_MAX, last = 0;
     for (int i = 0; i < c->launch_count; i++) {
         cl_ulong start = 0, end = 0;
         const cl_event event = c->launches[i].event;
         if (clGetEventProfilingInfo(event, CL_PROFILING_COMMAND_START, sizeof start, &start,
                                     NULL) == CL_SUCCESS &&
             clGetEventProfilingInfo(event, CL_PROFILING_COMMAND_END, sizeof end, &end, NULL) ==
-                CL_SUCCESS)
+                CL_SUCCESS) {
             *c->launches[i].ms += 1e-6 * (double)(end - start);
+            first = start < first ? start : first;
+            last = end > last ? end : last;
+        }
         clReleaseEvent(event);
     }
+    /* The device's clock is its own; but its last launch ended just now. */
+    if (c->first_start_s == 0.0 && last > 0)
+        c->first_start_s = now - 1e-9 * (double)(last - first);
     c->launch_count = 0;
     return status;
 }

@@ -16,6 +16,7 @@ typedef struct tl_pass_context {
     const tl_prepared *prepared;
     tl_frame frame; /* of the band */
     int precision_is_double;
+    double first_start_s; /* of the first launch that has finished, on tl_seconds' clock; or 0 */
     int launch_count;
     struct {
         cl_event event;

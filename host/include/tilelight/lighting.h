@@ -110,6 +110,10 @@ typedef struct tl_lighting_counts {
     uint32_t band_count;     /* the frame was lit in this many parts, to fit memory_limit */
     uint64_t device_bytes;   /* of the device's own buffers, at their largest */
     double device_cull_ms, device_shade_ms; /* from profiling events; 0 on the CPU paths */
+    double first_kernel_s; /* when the first kernel began, on tl_seconds' clock; 0: none ran */
+    double shade_wall_ms;  /* shading as the host saw it */
+    double shade_processor_ms; /* processor time that the process took meanwhile: over
+                                * shade_wall_ms, how many processors it kept busy */
 } tl_lighting_counts;
 
 /* Holds programs and buffers from frame to frame. */

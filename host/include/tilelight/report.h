@@ -20,8 +20,16 @@ typedef struct tl_timings {
     } stages[TL_MAX_STAGES];
 } tl_timings;
 
-/* Seconds on a clock that only goes forward. */
+/* Seconds on a clock that only goes forward, the same for every process. */
 double tl_seconds(void);
+
+/* Seconds of processor time that this process has taken, all threads together. */
+double tl_processor_seconds(void);
+
+/* When this process began, on the clock of tl_seconds: before its program was loaded. To be asked
+ * for while there is one thread. Where loading had to wait for a disk or a processor, up to 10 ms
+ * late or early, which is how closely the system knows; else exact to a millisecond. */
+double tl_process_start(void);
 
 /* Adds the time since `start` (from tl_seconds) to stage `name`. Beyond TL_MAX_STAGES names it
  * is dropped. Returns the time now, so that stages chain. Cannot fail. */
