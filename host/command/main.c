@@ -77,7 +77,9 @@ static void print_help(void)
                commands[i].summary, commands[i].run ? "" : " (not in this build)");
     puts("\n`tilelight COMMAND --help' lists the options of a command, `tilelight --version' "
          "the\n"
-         "version. TILELIGHT_THREADS in the environment limits the threads of the host.");
+         "version. In the environment, TILELIGHT_THREADS limits the threads of the host, and\n"
+         "TILELIGHT_CACHE names the folder for compiled kernels (default: tilelight in\n"
+         "$XDG_CACHE_HOME or ~/.cache); if it is empty, none are kept.");
     print_exit_statuses();
 }
 

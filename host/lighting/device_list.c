@@ -1,5 +1,6 @@
 #include "device.h"
 
+#include "driver_folder.h"
 #include "try.h"
 
 #include <stdlib.h>
@@ -88,6 +89,7 @@ tl_status tl_device_find_all(cl_device_id **ids,
     cl_device_id *all = NULL;
     tl_device_info *described = NULL;
 
+    tl_driver_folder_lend();
     if (clGetPlatformIDs(MAX_PLATFORMS, platforms, &platform_count) != CL_SUCCESS)
         platform_count = 0;
     if (platform_count > MAX_PLATFORMS)
@@ -107,6 +109,7 @@ tl_status tl_device_find_all(cl_device_id **ids,
         for (cl_uint i = 0; i < here && i < MAX_PER_PLATFORM; i++, found++)
             described[found] = tl_device_ask(platforms[p], all[found]);
     }
+    tl_driver_folder_forget();
     mark_default(described, found);
     *ids = all;
     *infos = described;

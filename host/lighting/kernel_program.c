@@ -85,27 +85,92 @@ static void release(tl_program *program)
 #undef RELEASE
     if (program->program)
         clReleaseProgram(program->program);
+    if (program->keeper)
+        tl_keeper_release(program->keeper);
+    free(program->keeper);
     *program = (tl_program){0};
+}
+
+typedef struct program_source {
+    const char *texts[2];
+    cl_uint text_count;
+    char flags[MAX_FLAGS];
+} program_source;
+
+static program_source source_of(const tl_device *device, const tl_program *made)
+{
+    program_source source = {.texts = {tl_kernel_text, made->user.text},
+                             .text_count = made->user.text ? 2 : 1};
+    format_flags(device, &made->options, source.flags);
+    return source;
+}
+
+static tl_status compile(const tl_device *device,
+                         const program_source *source,
+                         tl_program *made,
+                         tl_error *err)
+{
+    const char *texts[] = {source->texts[0], source->texts[1]};
+    cl_int code;
+    made->program =
+        clCreateProgramWithSource(device->context, source->text_count, texts, NULL, &code);
+    if (code != CL_SUCCESS)
+        return tl_cl(code, "clCreateProgramWithSource", err);
+    if (clBuildProgram(made->program, 1, &device->id, source->flags, NULL, NULL) != CL_SUCCESS)
+        return fail_with_log(device, made, err);
+    return TL_OK;
 }
 
 static tl_status build(const tl_device *device, tl_program *made, tl_error *err)
 {
+    const program_source source = source_of(device, made);
     tl_status status = TL_OK;
-    const char *texts[] = {tl_kernel_text, made->user.text};
-    char flags[MAX_FLAGS];
-    cl_int code;
 
-    format_flags(device, &made->options, flags);
-    made->program =
-        clCreateProgramWithSource(device->context, made->user.text ? 2 : 1, texts, NULL, &code);
-    TRY(tl_cl(code, "clCreateProgramWithSource", err));
-    if (clBuildProgram(made->program, 1, &device->id, flags, NULL, NULL) != CL_SUCCESS)
-        TRY(fail_with_log(device, made, err));
+    made->keeper = calloc(1, sizeof *made->keeper);
+    if (!made->keeper)
+        TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for a kernel program"));
+    tl_keeper_begin(made->keeper, device, source.texts, source.text_count, source.flags);
+    made->program = tl_keeper_load(made->keeper, device, source.flags);
+    if (!made->program)
+        TRY(compile(device, &source, made, err));
     TRY(create_kernels(device, made, err));
 done:
     if (status != TL_OK)
         release(made);
     return status;
+}
+
+void tl_program_note_launch(const tl_program *program,
+                            cl_kernel kernel,
+                            size_t items,
+                            size_t group)
+{
+#define HANDLE(name) program->name,
+    const cl_kernel kernels[] = {TL_KERNELS(HANDLE)};
+#undef HANDLE
+    for (uint32_t i = 0; i < sizeof kernels / sizeof kernels[0]; i++)
+        if (kernels[i] == kernel)
+            tl_keeper_note_launch(program->keeper, i, items, group);
+}
+
+int tl_program_keep(const tl_device *device, const tl_program *program)
+{
+    tl_program anew = {.options = program->options, .user = program->user};
+    if (!tl_keeper_has_news(program->keeper)) {
+        tl_keeper_keep(program->keeper, NULL);
+        return 0;
+    }
+    if (!program->keeper->is_loaded) {
+        tl_keeper_keep(program->keeper, program->program);
+        return 1;
+    }
+    /* A program that came from a binary gives that binary back, without what was compiled since.
+     * Built from source it finds all of that in the driver's folder: little is left to compile. */
+    const program_source source = source_of(device, program);
+    if (compile(device, &source, &anew, NULL) == TL_OK)
+        tl_keeper_keep(program->keeper, anew.program);
+    release(&anew);
+    return 1;
 }
 
 /* Where the next program goes; the one built longest ago gives way. */

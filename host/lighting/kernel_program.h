@@ -4,6 +4,7 @@
 
 #include "device.h"
 #include "options.h"
+#include "program_keeper.h"
 
 #include <stdint.h>
 
@@ -26,6 +27,7 @@ typedef struct tl_program {
     tl_kernel_options options;
     tl_user_kernel user; /* text NULL: shade_tiles is ours */
     cl_program program;
+    tl_keeper *keeper; /* owned */
 #define HANDLE(name) cl_kernel name;
     TL_KERNELS(HANDLE)
 #undef HANDLE
@@ -40,6 +42,17 @@ tl_status tl_program_find(tl_device *device,
                           const tl_user_kernel *user,
                           const tl_program **out,
                           tl_error *err);
+
+/* Notes a launch of one of the program's kernels. */
+void tl_program_note_launch(const tl_program *program,
+                            cl_kernel kernel,
+                            size_t items,
+                            size_t group);
+
+/* To be called after the launches of a frame: puts the program into the cache on disk
+ * (program_cache.h), if that is not ready for them all. Returns whether that was so; it then took up
+ * to a second. Cannot fail. */
+int tl_program_keep(const tl_device *device, const tl_program *program);
 
 /* Releases all programs of the device. Accepts NULL. */
 void tl_programs_release(struct tl_programs *programs);

@@ -125,11 +125,14 @@ static tl_status run_on_device(tl_lighting *lighting,
                                .buffers = &lighting->buffers,
                                .prepared = &lighting->prepared,
                                .precision_is_double = (int)kernels.real_double};
-    const double clock = tl_seconds();
+    double clock = tl_seconds();
     TRY(tl_program_find(lighting->device, &kernels, &options->kernel, &context.program, err));
     tl_timings_end(timings, "compile", clock);
     TRY(tl_bands_light(&context, &bands, gbuffer, image, timings, counts, err));
 done:
+    clock = tl_seconds();
+    if (context.program && tl_program_keep(lighting->device, context.program))
+        tl_timings_end(timings, "keep", clock);
     return status;
 }
 

@@ -37,6 +37,7 @@ static tl_status launch(tl_pass_context *c,
                                       &size.group, 0, NULL, &event);
     if (code != CL_SUCCESS)
         return tl_cl(code, name, err);
+    tl_program_note_launch(c->program, kernel, size.items, size.group);
     note_launch(c, event, ms);
     return TL_OK;
 }

@@ -11,6 +11,10 @@
 extern "C" {
 #endif
 
+/* Compiled kernels are kept on disk: in the folder TILELIGHT_CACHE, else tilelight in XDG_CACHE_HOME or
+ * in .cache in HOME. The first call that looks for devices sets POCL_CACHE_DIR in the environment for
+ * as long as it runs, unless it is set: no other thread may read or change the environment then. */
+
 /* An opened OpenCL device: one context, one in-order profiling queue. */
 typedef struct tl_device tl_device;
 
