@@ -1,10 +1,20 @@
-/* Culling: one work-item per row of tiles, vectors of tiles, lists in index order.
+/* Culling on a CPU: one work-item per row of tiles bounds its tiles and lists their lights.
  *
- * A row's work-item is alone in writing its tiles' lists, so there are no atomics, and lights
- * are appended in index order because that is the order of the loop. A list cannot overflow: the
- * same kernel runs twice, first counting, then writing where the counts say, and the two passes
- * cannot disagree about a light because they are one text. The invariant that makes a light
- * never lost to rounding is in reach.h; rectangles (tile_rect.h) come before it. */
+ * A row's work-item is alone in writing its tiles' lists, so lights stand in them in index order.
+ * Vectors are vectors of tiles: what a light does to TL_WIDTH tiles is one test, and leaves a bit per
+ * tile. From the bits of TL_LIGHT_BLOCK lights come first the lengths of lists, then the lists, so
+ * the scalar part is a step per entry and not one per test. A row that more lights may reach works on
+ * block after block, once for the lengths and once for the lists; one text decides both times, so
+ * they cannot disagree.
+ *
+ * Between the two the row takes as much of the list as it counted from the frame's common end, the
+ * only thing that rows share; where a row's lists stand depends on which row came first, what is in
+ * them does not. Rows that do not fit write nothing, and the host sees it from the lengths: no list
+ * overflows and no light is lost.
+ *
+ * The floor, for 1920 x 1080 and 1024 lights of which 24 reach a tile of 16 (two cores of 4 GHz, 16
+ * lanes, 25 GB/s): reading 8.3 MB of depths 0.33 ms; 90,000 tests of 16 tiles in 30 instructions
+ * 0.15 ms; 200,000 entries in 6 cycles 0.15 ms. */
 #include "position.h"
 #include "reach.h"
 #include "tile_rect.h"
@@ -14,6 +24,17 @@ enum { LOW_X, LOW_Y, LOW_Z, HIGH_X, HIGH_Y, HIGH_Z };
 
 #define MIN_HALVES(v) min((v).lo, (v).hi)
 #define MAX_HALVES(v) max((v).lo, (v).hi)
+
+/* TL_WIDTH integers, for one tile each. Where a comparison holds, a lane is all ones, a scalar 1. */
+#if TL_WIDTH == 1
+#    define INTS_WHERE(which, value) ((which) ? (int)(value) : 0)
+#    define LOAD_INTS(from) (*(from))
+#    define STORE_INTS(v, to) (*(to) = (v))
+#else
+#    define INTS_WHERE(which, value) (TL_LANES(convert_int)(which) & (int)(value))
+#    define LOAD_INTS(from) TL_LANES(vload)(0, from)
+#    define STORE_INTS(v, to) TL_LANES(vstore)(v, 0, to)
+#endif
 
 TL_INLINE box cube(scalar low, scalar high)
 {
@@ -27,7 +48,8 @@ TL_INLINE void include(real *low, real *high, mask covered, real value)
     *high = pick(covered & (value > *high), value, *high);
 }
 
-/* One box per lane; together they hold every position shade_tiles will compute in the tile. */
+/* One box per lane; together they hold every position that shading computes in the tile. x is
+ * monotone in depth along a column, rounded or not: the ends of its depths are the ends of its x. */
 TL_INLINE box boxes_of_tile(const tl_frame *frame,
                             __global const float *depths,
                             uint column0,
@@ -35,135 +57,262 @@ TL_INLINE box boxes_of_tile(const tl_frame *frame,
 {
     const tl_needs needs = needs_of_build();
     box b = cube(INFINITY, -INFINITY);
-    for (uint row = row0; row < row0 + frame->tile_size; row++) {
-        for (uint column = column0; column < column0 + frame->tile_size; column += TL_WIDTH) {
-            const real depth =
-                LOAD(depths, (size_t)(frame->buffer_row + row) * frame->pitch + column);
-            const vec3 p = view_position(frame->rays, needs, (scalar)column + LANE_INDEX,
-                                         (scalar)(frame->first_row + row), depth);
+    for (uint column = column0; column < column0 + frame->tile_size; column += TL_WIDTH) {
+        const real columns = (scalar)column + LANE_INDEX;
+        real nearest = INFINITY, farthest = -INFINITY;
+        __global const float *from =
+            depths + (size_t)(frame->buffer_row + row0) * frame->pitch + column;
+        for (uint row = row0; row < row0 + frame->tile_size; row++, from += frame->pitch) {
+            const real depth = LOAD(from, 0);
             const mask covered = depth < (real)INFINITY;
-            include(&b.low.x, &b.high.x, covered, p.x);
+            const vec3 p = view_position(frame->rays, needs, columns,
+                                         (scalar)(frame->first_row + row), depth);
+            include(&nearest, &farthest, covered, depth);
             include(&b.low.y, &b.high.y, covered, p.y);
-            include(&b.low.z, &b.high.z, covered, p.z);
         }
+        const mask covered = nearest < (real)INFINITY;
+        const vec3 near = view_position(frame->rays, needs, columns, 0, nearest);
+        const vec3 far = view_position(frame->rays, needs, columns, 0, farthest);
+        include(&b.low.x, &b.high.x, covered, near.x);
+        include(&b.low.x, &b.high.x, covered, far.x);
+        include(&b.low.z, &b.high.z, covered, near.z);
+        include(&b.low.z, &b.high.z, covered, far.z);
     }
     return b;
 }
 
-/* surface   [rows][pitch], m: the plane TL_DEPTH
- * boxes   [6][tiles_y][box_pitch], written in full; empty beyond the last tile of a row
- * depths  [tiles_y][2]: least and largest depth in the row, INFINITY and -INFINITY if all sky
- * Global size: tiles_y. */
-__kernel void bound_rows(const tl_frame frame,
-                         __global const float *restrict surface,
-                         __global scalar *restrict boxes,
-                         __global float *restrict depths)
-{
-    const uint tile_row = get_global_id(0);
-    const size_t plane = (size_t)frame.tiles_y * frame.box_pitch;
-    scalar near = INFINITY, far = -INFINITY;
-
-    for (uint tile = 0; tile < frame.box_pitch; tile++) {
-        box b = cube(INFINITY, -INFINITY);
-        if (tile < frame.tiles_x)
-            b = boxes_of_tile(&frame, surface, tile * frame.tile_size,
-                              tile_row * frame.tile_size);
-        __global scalar *to = boxes + (size_t)tile_row * frame.box_pitch + tile;
-        const scalar low_z = FOLD(MIN_HALVES, b.low.z), high_z = FOLD(MAX_HALVES, b.high.z);
-        to[LOW_X * plane] = FOLD(MIN_HALVES, b.low.x);
-        to[LOW_Y * plane] = FOLD(MIN_HALVES, b.low.y);
-        to[LOW_Z * plane] = low_z;
-        to[HIGH_X * plane] = FOLD(MAX_HALVES, b.high.x);
-        to[HIGH_Y * plane] = FOLD(MAX_HALVES, b.high.y);
-        to[HIGH_Z * plane] = high_z;
-        near = min(near, -high_z);
-        far = max(far, -low_z);
-    }
-    depths[2 * tile_row] = (float)near;
-    depths[2 * tile_row + 1] = (float)far;
-}
-
-/* Appends light i to the lists of the tiles in `met`; counts only where there is no list. */
-TL_INLINE void append(mask met, __global uint *end, __global uint *list, uint i)
-{
-    int met_by[TL_WIDTH];
-    STORE_MASK(met, met_by);
-    for (uint lane = 0; lane < TL_WIDTH; lane++) {
-        if (met_by[lane] == 0)
-            continue;
-        const uint at = end[lane]++;
-        if (list)
-            list[at] = i;
-    }
-}
-
-/* The lists of the tiles [x0, x1) of a row, as far as light i reaches them. */
-TL_INLINE void list_light(const tl_frame *frame,
-                          __global const scalar *row_boxes,
-                          tl_view_light light,
-                          uint i,
-                          int x0,
-                          int x1,
-                          __global uint *row_ends,
-                          __global uint *list)
+/* surface: the plane TL_DEPTH. row_boxes: the row's, written in full; empty beyond its last tile. */
+TL_INLINE void bound_row(const tl_frame *frame,
+                         __global const float *surface,
+                         uint tile_row,
+                         __global scalar *row_boxes)
 {
     const size_t plane = (size_t)frame->tiles_y * frame->box_pitch;
-    for (uint tile = (uint)x0 / TL_WIDTH * TL_WIDTH; tile < (uint)x1; tile += TL_WIDTH) {
-        const real index = (scalar)tile + LANE_INDEX;
-        mask met = (index >= (real)(scalar)x0) & (index < (real)(scalar)x1);
-        if (frame->cull_depth) {
-            __global const scalar *from = row_boxes + tile;
-            const vec3 low = {LOAD(from, LOW_X * plane), LOAD(from, LOW_Y * plane),
-                              LOAD(from, LOW_Z * plane)};
-            const vec3 high = {LOAD(from, HIGH_X * plane), LOAD(from, HIGH_Y * plane),
-                               LOAD(from, HIGH_Z * plane)};
-            const box tiles = {low, high};
-            met = met & reaches_box(light, tiles);
-        }
-        if (any_lane(met))
-            append(met, row_ends + tile, list, i);
+    for (uint tile = 0; tile < frame->box_pitch; tile++) {
+        box b = cube(INFINITY, -INFINITY);
+        if (tile < frame->tiles_x)
+            b = boxes_of_tile(frame, surface, tile * frame->tile_size,
+                              tile_row * frame->tile_size);
+        __global scalar *to = row_boxes + tile;
+        to[LOW_X * plane] = FOLD(MIN_HALVES, b.low.x);
+        to[LOW_Y * plane] = FOLD(MIN_HALVES, b.low.y);
+        to[LOW_Z * plane] = FOLD(MIN_HALVES, b.low.z);
+        to[HIGH_X * plane] = FOLD(MAX_HALVES, b.high.x);
+        to[HIGH_Y * plane] = FOLD(MAX_HALVES, b.high.y);
+        to[HIGH_Z * plane] = FOLD(MAX_HALVES, b.high.z);
     }
+}
+
+/* A row of tiles at work, on a block of lights at a time. */
+typedef struct tile_row {
+    int row;
+    __global const scalar *boxes; /* of its first tile; planes as in bound_row */
+    __global int *counts;         /* [box_pitch], lights of each tile so far */
+    __global int *bits; /* [TL_LIGHT_BLOCK / 32][box_pitch]: bit k of word w, light 32 w + k */
+    __global uint *starts, *ends; /* [tiles_x], where the tiles' lists stand */
+    uint next_light;              /* the first that has not been in a block */
+    uint count;                   /* lights in the block */
+    uint lights[TL_LIGHT_BLOCK];  /* which */
+} tile_row;
+
+/* Which of TL_WIDTH tiles from `tile` on light i may reach. */
+TL_INLINE mask reached_tiles(
+    const tl_frame *frame, const tile_row *t, tl_view_light light, uint tile, int x0, int x1)
+{
+    const size_t plane = (size_t)frame->tiles_y * frame->box_pitch;
+    const real index = (scalar)tile + LANE_INDEX;
+    const mask in_rect = (index >= (real)(scalar)x0) & (index < (real)(scalar)x1);
+    if (!frame->cull_depth)
+        return in_rect;
+    __global const scalar *from = t->boxes + tile;
+    const vec3 low = {LOAD(from, LOW_X * plane), LOAD(from, LOW_Y * plane),
+                      LOAD(from, LOW_Z * plane)};
+    const vec3 high = {LOAD(from, HIGH_X * plane), LOAD(from, HIGH_Y * plane),
+                       LOAD(from, HIGH_Z * plane)};
+    const box tiles = {low, high};
+    return in_rect & reaches_box(light, tiles);
+}
+
+/* Takes light i into the block and marks the tiles that it may reach. */
+TL_INLINE void mark(
+    const tl_frame *frame, tile_row *t, tl_view_light light, uint i, int x0, int x1)
+{
+    const uint bit = t->count % 32;
+    __global int *words = t->bits + t->count / 32 * frame->box_pitch;
+    if (t->count % 64 == 0)
+        for (uint tile = 0; tile < 2 * frame->box_pitch; tile++)
+            words[tile] = 0;
+    for (uint tile = (uint)x0 / TL_WIDTH * TL_WIDTH; tile < (uint)x1; tile += TL_WIDTH) {
+        const mask reached = reached_tiles(frame, t, light, tile, x0, x1);
+        STORE_INTS(LOAD_INTS(words + tile) | INTS_WHERE(reached, 1u << bit), words + tile);
+    }
+    t->lights[t->count++] = i;
 }
 
 /* Which of the lights [first, first + LIGHTS_AT_ONCE) have a rectangle in this row. */
 #define LIGHTS_AT_ONCE 16
 #define OR_INT_HALVES(v) ((v).lo | (v).hi)
-TL_INLINE int any_in_row(__global const int *rects, uint pitch, uint first, int tile_row)
+TL_INLINE int any_in_row(__global const int *rects, uint pitch, uint first, int row)
 {
     const int16 y0 = vload16(0, rects + TL_RECT_Y0 * pitch + first);
     const int16 y1 = vload16(0, rects + TL_RECT_Y1 * pitch + first);
-    const int16 in_row = (y0 <= tile_row) & (y1 > tile_row);
+    const int16 in_row = (y0 <= row) & (y1 > row);
     const int4 quarter = OR_INT_HALVES(OR_INT_HALVES(in_row));
     return (quarter.x | quarter.y | quarter.z | quarter.w) != 0;
 }
 
-/* boxes   as bound_rows leaves them
- * lights  [light_count]; rects as light_rects leaves them
- * ends    [tiles_y * tiles_x]. Counting (list is NULL): becomes the length of each tile's list.
- *         Listing: is where each list starts and becomes where it ends.
- * list    indices of lights, ascending within a tile
+/* The next block of the row's lights. */
+TL_INLINE void mark_block(const tl_frame *frame,
+                          tile_row *t,
+                          __global const tl_view_light *lights,
+                          __global const int *rects)
+{
+    const uint pitch = TL_RECT_PITCH(frame->light_count);
+    uint i = t->next_light;
+    t->count = 0;
+    while (i < frame->light_count && t->count < TL_LIGHT_BLOCK) {
+        if (i % LIGHTS_AT_ONCE == 0 && !any_in_row(rects, pitch, i, t->row)) {
+            i += LIGHTS_AT_ONCE;
+            continue;
+        }
+        if (rects[TL_RECT_Y0 * pitch + i] <= t->row && rects[TL_RECT_Y1 * pitch + i] > t->row)
+            mark(frame, t, lights[i], i, rects[TL_RECT_X0 * pitch + i],
+                 rects[TL_RECT_X1 * pitch + i]);
+        i++;
+    }
+    t->next_light = i;
+}
+
+/* The tile's bits of lights [32 word, 32 word + 64) of the block: `word` is even. */
+TL_INLINE ulong bits_of_tile(const tl_frame *frame, const tile_row *t, uint word, uint tile)
+{
+    __global const int *from = t->bits + word * frame->box_pitch + tile;
+    return (uint)from[0] | (ulong)(uint)from[frame->box_pitch] << 32;
+}
+
+/* Adds the block to the tiles' counts. */
+TL_INLINE void count_block(const tl_frame *frame, const tile_row *t)
+{
+    for (uint tile = 0; tile < frame->tiles_x; tile++) {
+        int count = 0;
+        for (uint word = 0; 32 * word < t->count; word += 2)
+            count += (int)popcount(bits_of_tile(frame, t, word, tile));
+        t->counts[tile] += count;
+    }
+}
+
+/* Appends the block to the tiles' lists. */
+TL_INLINE void write_block(const tl_frame *frame, const tile_row *t, __global uint *list)
+{
+    for (uint tile = 0; tile < frame->tiles_x; tile++) {
+        uint end = t->ends[tile];
+        for (uint word = 0; 32 * word < t->count; word += 2) {
+            ulong bits = bits_of_tile(frame, t, word, tile);
+            for (; bits; bits &= bits - 1)
+                list[end++] = t->lights[32 * word + popcount((bits & -bits) - 1)];
+        }
+        t->ends[tile] = end;
+    }
+}
+
+/* Appends the lights of all blocks; a block that was the only one is still there. */
+TL_INLINE void write_blocks(const tl_frame *frame,
+                            tile_row *t,
+                            __global const tl_view_light *lights,
+                            __global const int *rects,
+                            uint block_count,
+                            __global uint *list)
+{
+    if (block_count == 1) {
+        write_block(frame, t, list);
+        return;
+    }
+    for (t->next_light = 0; t->next_light < frame->light_count;) {
+        mark_block(frame, t, lights, rects);
+        write_block(frame, t, list);
+    }
+}
+
+/* From counts to where the lists stand, the first at `start`. */
+TL_INLINE void place_lists(const tl_frame *frame, const tile_row *t, uint start)
+{
+    for (uint tile = 0; tile < frame->tiles_x; tile++) {
+        t->starts[tile] = t->ends[tile] = start;
+        start += t->counts[tile];
+    }
+}
+
+/* Takes `length` entries of the list; where they start, or UINT_MAX where they do not fit. */
+TL_INLINE uint take_list(volatile __global uint *list_end, ulong length, uint capacity)
+{
+    uint end = *list_end, seen;
+    do {
+        if (length > capacity || end > capacity - (uint)length)
+            return UINT_MAX;
+        seen = end;
+        end = atomic_cmpxchg(list_end, seen, seen + (uint)length);
+    } while (end != seen);
+    return end;
+}
+
+/* A driver that deals out work-items in runs of consecutive ones gives each thread rows from all over
+ * the frame: the sky is at the top of all of them. */
+TL_INLINE uint interleaved(uint item, uint count)
+{
+    const uint half_count = (count + 1) / 2;
+    return item < half_count ? 2 * item : 2 * (item - half_count) + 1;
+}
+
+/* surface   [rows][pitch], m: the plane TL_DEPTH
+ * lights    [light_count]; rects as light_rects leaves them
+ * boxes     [6][tiles_y][box_pitch], scratch
+ * counts    [tiles_y][box_pitch], scratch
+ * bits      [tiles_y][TL_LIGHT_BLOCK / 32][box_pitch], scratch
+ * starts, ends  [tiles_y * tiles_x]: where each tile's list stands; of no meaning if the lengths add
+ *           up to more than frame.list_capacity
+ * lengths   [tiles_y]: of the lists of a row of tiles together
+ * list_end  0, becomes where the last list ends
+ * list      [list_capacity], indices of lights, ascending within a tile
  * Global size: tiles_y. */
-__kernel void list_rows(const tl_frame frame,
-                        __global const scalar *restrict boxes,
+__kernel void cull_rows(const tl_frame frame,
+                        __global const float *restrict surface,
                         __global const tl_view_light *restrict lights,
                         __global const int *restrict rects,
+                        __global scalar *restrict boxes,
+                        __global int *restrict counts,
+                        __global int *restrict bits,
+                        __global uint *restrict starts,
                         __global uint *restrict ends,
+                        __global ulong *restrict lengths,
+                        volatile __global uint *restrict list_end,
                         __global uint *restrict list)
 {
-    const int tile_row = (int)get_global_id(0);
-    const uint pitch = TL_RECT_PITCH(frame.light_count);
-    __global const scalar *row_boxes = boxes + (size_t)tile_row * frame.box_pitch;
-    __global uint *row_ends = ends + (size_t)tile_row * frame.tiles_x;
+    const uint row = interleaved(get_global_id(0), frame.tiles_y);
+    const size_t padded = (size_t)row * frame.box_pitch;
+    tile_row t;
+    ulong length = 0;
+    uint block_count = 0;
+    t.row = (int)row;
+    t.boxes = boxes + padded;
+    t.counts = counts + padded;
+    t.bits = bits + TL_LIGHT_BLOCK / 32 * padded;
+    t.starts = starts + (size_t)row * frame.tiles_x;
+    t.ends = ends + (size_t)row * frame.tiles_x;
 
-    for (uint tile = 0; !list && tile < frame.tiles_x; tile++)
-        row_ends[tile] = 0;
-    for (uint first = 0; first < frame.light_count; first += LIGHTS_AT_ONCE) {
-        if (!any_in_row(rects, pitch, first, tile_row))
-            continue;
-        for (uint i = first; i < first + LIGHTS_AT_ONCE; i++)
-            if (rects[TL_RECT_Y0 * pitch + i] <= tile_row &&
-                rects[TL_RECT_Y1 * pitch + i] > tile_row)
-                list_light(&frame, row_boxes, lights[i], i, rects[TL_RECT_X0 * pitch + i],
-                           rects[TL_RECT_X1 * pitch + i], row_ends, list);
+    if (frame.cull_depth)
+        bound_row(&frame, surface, row, boxes + padded);
+    for (uint tile = 0; tile < frame.box_pitch; tile++)
+        t.counts[tile] = 0;
+    for (t.next_light = 0; t.next_light < frame.light_count; block_count++) {
+        mark_block(&frame, &t, lights, rects);
+        count_block(&frame, &t);
     }
+    for (uint tile = 0; tile < frame.tiles_x; tile++)
+        length += (uint)t.counts[tile];
+    lengths[row] = length;
+    const uint start = take_list(list_end, length, frame.list_capacity);
+    if (start == UINT_MAX)
+        return;
+    place_lists(&frame, &t, start);
+    write_blocks(&frame, &t, lights, rects, block_count, list);
 }

@@ -1,26 +1,21 @@
 /* The broad phase: one work-item per TL_RECT_GRANULE lights, their rectangles in tiles.
  *
  * In double, because the eye may be one ulp outside a light's sphere; on a device without it the
- * host runs the same header (host/lighting/frame.c). */
+ * host runs the same header (host/lighting/passes.c). */
 #include "tile_rect.h"
 
 #ifdef TL_HAS_SPHERE_BOUNDS
 
-/* depths  [tiles_y][2]: least and largest depth of the surfaces in a row of tiles, m
- * lights  [light_count]
- * rects   [TL_RECT_PLANE_COUNT][TL_RECT_PITCH(light_count)], written in full
+/* lights    [light_count]
+ * rects     [TL_RECT_PLANE_COUNT][TL_RECT_PITCH(light_count)], written in full
+ * list_end  becomes 0, where the lists of the frame start
  * Global size: TL_RECT_PITCH(light_count) / TL_RECT_GRANULE. */
 __kernel void light_rects(const tl_frame frame,
-                          __global const float *restrict depths,
                           __global const tl_view_light *restrict lights,
-                          __global int *restrict rects)
+                          __global int *restrict rects,
+                          __global uint *restrict list_end)
 {
-    double near = (double)INFINITY, far = (double)-INFINITY;
-    for (uint row = 0; row < frame.tiles_y; row++) {
-        near = min(near, (double)depths[2 * row]);
-        far = max(far, (double)depths[2 * row + 1]);
-    }
-    const tl_view_window window = view_window(&frame, near, far, TL_ORTHOGRAPHIC);
+    const tl_view_window window = view_window(&frame, TL_ORTHOGRAPHIC);
     const uint pitch = TL_RECT_PITCH(frame.light_count);
     const uint first = get_global_id(0) * TL_RECT_GRANULE;
     for (uint i = first; i < first + TL_RECT_GRANULE; i++) {
@@ -32,6 +27,8 @@ __kernel void light_rects(const tl_frame frame,
         rects[TL_RECT_Y0 * pitch + i] = rect.y0;
         rects[TL_RECT_Y1 * pitch + i] = rect.y1;
     }
+    if (first == 0)
+        *list_end = 0;
 }
 
 #endif

@@ -27,6 +27,7 @@ __kernel void probe_layout(__global uint *out)
     out[n++] = OFFSET(frame, light_count);
     out[n++] = OFFSET(frame, first_row);
     out[n++] = OFFSET(frame, buffer_row);
+    out[n++] = OFFSET(frame, list_capacity);
     out[n++] = sizeof(tl_view_light);
     out[n++] = OFFSET(light, position);
     out[n++] = OFFSET(light, range2);

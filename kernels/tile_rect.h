@@ -7,8 +7,8 @@
  *      roundings in d2. Below 1e-20 m squares vanish, so as much is added.
  *   2. ray. A computed position has x/depth off its pixel's ray by at most 8u (|left| + |right|):
  *      2u|ray| in view_position, 2u (|x0| + |dx| width) in rounding x0 and dx.
- *   3. depth. near and far are the least and the largest computed depth of the frame, not the
- *      camera's planes. */
+ *   3. depth. near and far are the least and the largest depth that a pixel can have, not the
+ *      camera's planes, so that rectangles need not wait for the frame's depths. */
 #ifndef TL_TILE_RECT_H
 #define TL_TILE_RECT_H
 
@@ -41,10 +41,7 @@ typedef struct tl_view_window {
     int orthographic;
 } tl_view_window;
 
-TL_INLINE tl_view_window view_window(const tl_frame *frame,
-                                     double near,
-                                     double far,
-                                     int orthographic)
+TL_INLINE tl_view_window view_window(const tl_frame *frame, int orthographic)
 {
     const tl_rays rays = frame->rays;
     const double right_px = (double)(frame->tiles_x * frame->tile_size);
@@ -54,8 +51,8 @@ TL_INLINE tl_view_window view_window(const tl_frame *frame,
     w.height = (double)rays.dy;
     w.left = (double)rays.x0 - 0.5 * w.width;
     w.top = (double)rays.y0 - 0.5 * w.height;
-    w.near = near;
-    w.far = far;
+    w.near = orthographic ? -0x1p128 : 0x1p-149;
+    w.far = 0x1p128;
     w.margin_x = TL_RAY_MARGIN * (fabs(w.left) + fabs(w.left + w.width * right_px));
     w.margin_y = TL_RAY_MARGIN * (fabs(w.top) + fabs(w.top + w.height * bottom_px));
     w.orthographic = orthographic;

@@ -14,7 +14,7 @@ static const struct {
              {130, 1, TL_PERSPECTIVE}, {64, 64, TL_PERSPECTIVE}, {61, 40, TL_PERSPECTIVE},
              {61, 40, TL_ORTHOGRAPHIC}};
 
-enum { MANY = 1000, SMALL = 400 };
+enum { MANY = TL_LIGHT_BLOCK + 1, SMALL = 400 };
 
 static void scattered(const tl_gbuffer *g, tl_light_set *lights, uint32_t count)
 {
@@ -93,7 +93,7 @@ static const struct {
     {"scattered", 200, scattered},
     {"ranges that end at a pixel", SMALL, shells},
     {"around the eye", SMALL, around_the_eye},
-    {"1000 lights on every tile", MANY, all_over},
+    {"more lights on every tile than a block holds", MANY, all_over},
     {"few lights after many", 3, scattered},
 };
 

@@ -29,6 +29,7 @@ static const struct {
     FIELD(tl_frame, light_count),
     FIELD(tl_frame, first_row),
     FIELD(tl_frame, buffer_row),
+    FIELD(tl_frame, list_capacity),
     {"sizeof tl_view_light", sizeof(tl_view_light)},
     FIELD(tl_view_light, position),
     FIELD(tl_view_light, range2),

@@ -17,8 +17,9 @@ static uint64_t bytes_per_row(const tl_pass_context *c, const tl_gbuffer *gbuffe
 {
     const tl_frame *frame = &c->prepared->frame;
     const uint64_t element = c->precision_is_double ? sizeof(double) : sizeof(float);
-    const uint64_t tiles = 6 * element * frame->box_pitch + 2 * sizeof(float) +
-                           2 * sizeof(cl_uint) * frame->tiles_x;
+    const uint64_t tiles =
+        (6 * element + (1 + TL_LIGHT_BLOCK / 32) * sizeof(cl_int)) * frame->box_pitch +
+        2 * sizeof(cl_uint) * frame->tiles_x + sizeof(cl_ulong);
     const uint64_t pixels =
         (plane_count(gbuffer) + 3) * sizeof(float) * frame->pitch * frame->tile_size;
     return tiles + (c->device->shares_memory ? 0 : pixels);
@@ -146,6 +147,41 @@ static int fits(const tl_pass_context *c,
            (options->memory_limit == 0 || *needed <= options->memory_limit);
 }
 
+/* Whether tiles are to have lists of their own: of what all share there may be nothing to cull. */
+static int culls(const tl_pass_context *c, const tl_band_options *options)
+{
+    return options->cull && c->frame.light_count > c->frame.global_count;
+}
+
+/* *fitted is 0, and nothing listed, where the lists turn out too long and the band has more than one
+ * row to give up. */
+static tl_status cull_band(tl_pass_context *c,
+                           const tl_band_options *options,
+                           const tl_gbuffer *gbuffer,
+                           tl_lighting_counts *counts,
+                           int *fitted,
+                           tl_error *err)
+{
+    tl_status status = TL_OK;
+    uint64_t list_length = 0, needed = 0;
+    if (!culls(c, options)) {
+        TRY(tl_pass_list_all(c, &list_length, err));
+        *fitted = 1;
+    } else {
+        TRY(tl_pass_cull(c, &list_length, &counts->device_cull_ms, err));
+        *fitted = fits(c, options, gbuffer, list_length, &needed);
+        if (!*fitted && c->frame.tiles_y == 1)
+            TRY(too_small(options, needed, err));
+        if (*fitted)
+            TRY(tl_pass_cull_again(c, list_length, &counts->device_cull_ms, err));
+    }
+    TRY(tl_pass_finish(c, err));
+    if (*fitted)
+        counts->list_length += list_length;
+done:
+    return status;
+}
+
 static tl_status shade(tl_pass_context *c, tl_lighting_counts *counts, tl_error *err)
 {
     const double clock = tl_seconds(), busy = tl_processor_seconds();
@@ -158,8 +194,7 @@ done:
     return status;
 }
 
-/* One band. *fitted is 0, and nothing lit, where its lists turn out too long and it has more than
- * one row to give up. */
+/* One band. *fitted is 0, and nothing lit, where cull_band says so. */
 static tl_status light_band(tl_pass_context *c,
                             const tl_band_options *options,
                             const tl_gbuffer *gbuffer,
@@ -170,27 +205,16 @@ static tl_status light_band(tl_pass_context *c,
                             tl_error *err)
 {
     tl_status status = TL_OK;
-    uint64_t list_length = 0, needed = 0;
     double clock = tl_seconds();
     TRY(upload(c, gbuffer, image, err));
     clock = tl_timings_end(timings, "upload", clock);
-    if (options->cull)
-        TRY(tl_pass_count(c, &list_length, &counts->device_cull_ms, err));
-    else
-        TRY(tl_pass_list_all(c, &list_length, err));
-    *fitted = !options->cull || fits(c, options, gbuffer, list_length, &needed);
-    if (!*fitted && c->frame.tiles_y == 1)
-        TRY(too_small(options, needed, err));
+    TRY(cull_band(c, options, gbuffer, counts, fitted, err));
+    clock = tl_timings_end(timings, "cull", clock);
     if (*fitted) {
-        if (options->cull)
-            TRY(tl_pass_list(c, list_length, &counts->device_cull_ms, err));
-        TRY(tl_pass_finish(c, err));
-        clock = tl_timings_end(timings, "cull", clock);
         TRY(shade(c, counts, err));
         clock = tl_timings_end(timings, "shade", clock);
         TRY(read_back(c, image, err));
         tl_timings_end(timings, "readback", clock);
-        counts->list_length += list_length;
         counts->band_count++;
     }
 done:

@@ -7,11 +7,14 @@
 /* X(name, shape) */
 #define TL_BUFFERS(X)                                                       \
     X(TL_BUFFER_BOXES, "[6][tiles_y][box_pitch] scalars")                   \
-    X(TL_BUFFER_DEPTHS, "[tiles_y][2] float")                               \
+    X(TL_BUFFER_COUNTS, "[tiles_y][box_pitch] int")                         \
+    X(TL_BUFFER_BITS, "[tiles_y][TL_LIGHT_BLOCK / 32][box_pitch] int")      \
     X(TL_BUFFER_LIGHTS, "[light_count] tl_view_light")                      \
-    X(TL_BUFFER_RECTS, "[light_count] tl_tile_rect")                        \
+    X(TL_BUFFER_RECTS, "[TL_RECT_PLANE_COUNT][TL_RECT_PITCH] int")          \
     X(TL_BUFFER_STARTS, "[tiles_y * tiles_x] uint")                         \
     X(TL_BUFFER_ENDS, "[tiles_y * tiles_x] uint")                           \
+    X(TL_BUFFER_LENGTHS, "[tiles_y] ulong")                                 \
+    X(TL_BUFFER_LIST_END, "uint")                                           \
     X(TL_BUFFER_LIST, "[list_length] uint")                                 \
     X(TL_BUFFER_PLANES, "[plane_count][rows][pitch] float, the G-buffer's") \
     X(TL_BUFFER_RADIANCE, "[3][rows][pitch] float, the image's")

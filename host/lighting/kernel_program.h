@@ -18,9 +18,8 @@ typedef struct tl_kernel_options {
 /* The kernels of a program.
  * X(name in the program and here) */
 #define TL_KERNELS(X) \
-    X(bound_rows)     \
     X(light_rects)    \
-    X(list_rows)      \
+    X(cull_rows)      \
     X(shade_tiles)
 
 typedef struct tl_program {

@@ -16,7 +16,7 @@ static void note_launch(tl_pass_context *c, cl_event event, double *ms)
     c->launches[c->launch_count++].ms = ms;
 }
 
-/* The frame comes first, then the buffers; TL_BUFFER_COUNT stands for NULL. */
+/* The frame comes first, then the buffers. */
 static tl_status launch(tl_pass_context *c,
                         cl_kernel kernel,
                         const char *name,
@@ -29,9 +29,8 @@ static tl_status launch(tl_pass_context *c,
     cl_event event;
     cl_int code = clSetKernelArg(kernel, 0, sizeof c->frame, &c->frame);
     for (cl_uint i = 0; code == CL_SUCCESS && i < buffer_count; i++)
-        code = clSetKernelArg(
-            kernel, i + 1, sizeof(cl_mem),
-            buffers[i] == TL_BUFFER_COUNT ? NULL : &c->buffers->of[buffers[i]].memory);
+        code =
+            clSetKernelArg(kernel, i + 1, sizeof(cl_mem), &c->buffers->of[buffers[i]].memory);
     if (code == CL_SUCCESS)
         code = clEnqueueNDRangeKernel(c->device->queue, kernel, 1, NULL, &size.items,
                                       &size.group, 0, NULL, &event);
@@ -66,45 +65,45 @@ static tl_status reserve_tiles(const tl_pass_context *c, tl_error *err)
 {
     const tl_frame *frame = &c->frame;
     const size_t element = c->precision_is_double ? sizeof(double) : sizeof(float);
+    const size_t padded = (size_t)frame->tiles_y * frame->box_pitch;
+    const struct {
+        tl_buffer_name name;
+        size_t size;
+    } wanted[] = {
+        {TL_BUFFER_BOXES, 6 * element * padded},
+        {TL_BUFFER_COUNTS, sizeof(cl_int) * padded},
+        {TL_BUFFER_BITS, TL_LIGHT_BLOCK / 32 * sizeof(cl_int) * padded},
+        {TL_BUFFER_RECTS, TL_RECT_PLANE_COUNT * rect_pitch(c) * sizeof(cl_int)},
+        {TL_BUFFER_STARTS, tile_count(c) * sizeof(cl_uint)},
+        {TL_BUFFER_ENDS, tile_count(c) * sizeof(cl_uint)},
+        {TL_BUFFER_LENGTHS, frame->tiles_y * sizeof(cl_ulong)},
+        {TL_BUFFER_LIST_END, sizeof(cl_uint)},
+    };
     tl_status status = TL_OK;
-    TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_BOXES,
-                           6 * element * frame->tiles_y * frame->box_pitch, err));
-    TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_DEPTHS,
-                           2 * sizeof(float) * frame->tiles_y, err));
-    TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_RECTS,
-                           TL_RECT_PLANE_COUNT * rect_pitch(c) * sizeof(cl_int), err));
-    TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_STARTS,
-                           tile_count(c) * sizeof(cl_uint), err));
-    TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_ENDS,
-                           tile_count(c) * sizeof(cl_uint), err));
+    for (size_t i = 0; i < sizeof wanted / sizeof wanted[0]; i++)
+        TRY(tl_buffers_reserve(c->buffers, c->device, wanted[i].name, wanted[i].size, err));
 done:
     return status;
 }
 
-/* The rectangles of a device without double: the same header on the host. */
+/* Lets the lists start from the first entry. */
+static tl_status forget_lists(const tl_pass_context *c, tl_error *err)
+{
+    static const cl_uint start = 0;
+    return tl_buffers_write(c->buffers, c->device, TL_BUFFER_LIST_END, &start, sizeof start,
+                            err);
+}
+
+/* light_rects of a device without double: the same header on the host. */
 static tl_status rects_on_host(const tl_pass_context *c, tl_error *err)
 {
     const tl_frame *frame = &c->frame;
-    const size_t depths_size = 2 * sizeof(float) * frame->tiles_y;
-    double near = (double)INFINITY, far = (double)-INFINITY;
-    tl_status status = TL_OK;
     const size_t pitch = rect_pitch(c);
-    cl_int *rects = NULL;
-    void *mapped = NULL;
-
-    TRY(tl_buffers_map(c->buffers, c->device, TL_BUFFER_DEPTHS, CL_MAP_READ, depths_size,
-                       &mapped, err));
-    const float *depths = mapped;
-    for (size_t row = 0; row < frame->tiles_y; row++) {
-        near = fmin(near, (double)depths[2 * row]);
-        far = fmax(far, (double)depths[2 * row + 1]);
-    }
-    TRY(tl_buffers_unmap(c->buffers, c->device, TL_BUFFER_DEPTHS, mapped, err));
-    rects = calloc(TL_RECT_PLANE_COUNT * pitch, sizeof *rects);
+    tl_status status = TL_OK;
+    cl_int *rects = calloc(TL_RECT_PLANE_COUNT * pitch, sizeof *rects);
     if (!rects)
         TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for the rectangles of lights"));
-    const tl_view_window window =
-        view_window(frame, near, far, (int)c->prepared->needs.orthographic);
+    const tl_view_window window = view_window(frame, (int)c->prepared->needs.orthographic);
     for (uint32_t i = frame->global_count; i < frame->light_count; i++) {
         const tl_tile_rect rect = tile_rect_of(window, frame, c->prepared->lights[i]);
         rects[TL_RECT_X0 * pitch + i] = rect.x0;
@@ -114,6 +113,7 @@ static tl_status rects_on_host(const tl_pass_context *c, tl_error *err)
     }
     TRY(tl_buffers_write(c->buffers, c->device, TL_BUFFER_RECTS, rects,
                          TL_RECT_PLANE_COUNT * pitch * sizeof *rects, err));
+    TRY(forget_lists(c, err));
 done:
     free(rects);
     return status;
@@ -121,61 +121,63 @@ done:
 
 static tl_status find_rects(tl_pass_context *c, double *ms, tl_error *err)
 {
-    const size_t items = rect_pitch(c) / TL_RECT_GRANULE;
-    if (items == 0)
-        return TL_OK;
     if (!c->program->light_rects)
         return rects_on_host(c, err);
-    return LAUNCH(c, light_rects, alone(items), ms, err, TL_BUFFER_DEPTHS, TL_BUFFER_LIGHTS,
-                  TL_BUFFER_RECTS);
+    return LAUNCH(c, light_rects, alone(rect_pitch(c) / TL_RECT_GRANULE), ms, err,
+                  TL_BUFFER_LIGHTS, TL_BUFFER_RECTS, TL_BUFFER_LIST_END);
 }
 
-/* Turns the lengths that counting left in ENDS into where each list starts, in both buffers. */
-static tl_status place_lists(const tl_pass_context *c, uint64_t *list_length, tl_error *err)
+/* Lists into as much of TL_BUFFER_LIST as there is. */
+static tl_status cull_rows(tl_pass_context *c, double *ms, tl_error *err)
 {
-    const size_t count = tile_count(c), size = count * sizeof(cl_uint);
-    uint64_t total = 0;
-    void *starts_map = NULL, *ends_map = NULL;
+    const size_t capacity = c->buffers->of[TL_BUFFER_LIST].size / sizeof(cl_uint);
+    c->frame.list_capacity = capacity < UINT32_MAX ? (cl_uint)capacity : UINT32_MAX;
+    return LAUNCH(c, cull_rows, alone(c->frame.tiles_y), ms, err, TL_BUFFER_PLANES,
+                  TL_BUFFER_LIGHTS, TL_BUFFER_RECTS, TL_BUFFER_BOXES, TL_BUFFER_COUNTS,
+                  TL_BUFFER_BITS, TL_BUFFER_STARTS, TL_BUFFER_ENDS, TL_BUFFER_LENGTHS,
+                  TL_BUFFER_LIST_END, TL_BUFFER_LIST);
+}
+
+static tl_status sum_lengths(const tl_pass_context *c, uint64_t *list_length, tl_error *err)
+{
+    const size_t size = c->frame.tiles_y * sizeof(cl_ulong);
+    void *mapped = NULL;
+    uint64_t sum = 0;
     tl_status status = TL_OK;
-    TRY(tl_buffers_map(c->buffers, c->device, TL_BUFFER_ENDS, CL_MAP_READ | CL_MAP_WRITE, size,
-                       &ends_map, err));
-    TRY(tl_buffers_map(c->buffers, c->device, TL_BUFFER_STARTS, CL_MAP_WRITE, size, &starts_map,
+    TRY(tl_buffers_map(c->buffers, c->device, TL_BUFFER_LENGTHS, CL_MAP_READ, size, &mapped,
                        err));
-    cl_uint *starts = starts_map, *ends = ends_map;
-    for (size_t tile = 0; tile < count; tile++) {
-        const cl_uint length = ends[tile];
-        starts[tile] = ends[tile] = (cl_uint)total;
-        total += length;
-    }
-    TRY(tl_buffers_unmap(c->buffers, c->device, TL_BUFFER_STARTS, starts_map, err));
-    TRY(tl_buffers_unmap(c->buffers, c->device, TL_BUFFER_ENDS, ends_map, err));
-    *list_length = total;
+    for (uint32_t row = 0; row < c->frame.tiles_y; row++)
+        sum += ((const cl_ulong *)mapped)[row];
+    TRY(tl_buffers_unmap(c->buffers, c->device, TL_BUFFER_LENGTHS, mapped, err));
+    *list_length = sum;
 done:
     return status;
 }
 
-tl_status tl_pass_count(tl_pass_context *c, uint64_t *list_length, double *ms, tl_error *err)
+tl_status tl_pass_cull(tl_pass_context *c, uint64_t *list_length, double *ms, tl_error *err)
 {
-    const work rows = alone(c->frame.tiles_y);
     tl_status status = TL_OK;
     TRY(reserve_tiles(c, err));
-    TRY(LAUNCH(c, bound_rows, rows, ms, err, TL_BUFFER_PLANES, TL_BUFFER_BOXES,
-               TL_BUFFER_DEPTHS));
+    TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_LIST, 0, err));
     TRY(find_rects(c, ms, err));
-    TRY(LAUNCH(c, list_rows, rows, ms, err, TL_BUFFER_BOXES, TL_BUFFER_LIGHTS, TL_BUFFER_RECTS,
-               TL_BUFFER_ENDS, TL_BUFFER_COUNT));
-    TRY(place_lists(c, list_length, err));
+    TRY(cull_rows(c, ms, err));
+    TRY(sum_lengths(c, list_length, err));
 done:
     return status;
 }
 
-tl_status tl_pass_list(tl_pass_context *c, uint64_t list_length, double *ms, tl_error *err)
+tl_status tl_pass_cull_again(tl_pass_context *c,
+                             uint64_t list_length,
+                             double *ms,
+                             tl_error *err)
 {
     tl_status status = TL_OK;
+    if (list_length <= c->frame.list_capacity)
+        goto done;
     TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_LIST,
                            (size_t)list_length * sizeof(cl_uint), err));
-    TRY(LAUNCH(c, list_rows, alone(c->frame.tiles_y), ms, err, TL_BUFFER_BOXES,
-               TL_BUFFER_LIGHTS, TL_BUFFER_RECTS, TL_BUFFER_ENDS, TL_BUFFER_LIST));
+    TRY(forget_lists(c, err));
+    TRY(cull_rows(c, ms, err));
 done:
     return status;
 }

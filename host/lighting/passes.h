@@ -3,8 +3,8 @@
 #define TL_PASSES_H
 
 #include "buffers.h"
-#include "prepared.h"
 #include "kernel_program.h"
+#include "prepared.h"
 
 enum { TL_MAX_LAUNCHES = 8 };
 
@@ -24,20 +24,21 @@ typedef struct tl_pass_context {
     } launches[TL_MAX_LAUNCHES];
 } tl_pass_context;
 
-/* Bounds the tiles and counts their lights: *list_length is what tl_pass_list will write.
- * TL_BUFFER_PLANES and TL_BUFFER_LIGHTS are set. Device time is added to *ms by tl_pass_finish.
- * Fails with TL_ERR_DEVICE or TL_ERR_MEMORY. */
-tl_status tl_pass_count(tl_pass_context *context,
-                        uint64_t *list_length,
-                        double *ms,
-                        tl_error *err);
-
-/* Then writes the lists of every tile: none is longer than needed, none is cut. list_length is below
- * 2^32. */
-tl_status tl_pass_list(tl_pass_context *context,
-                       uint64_t list_length,
+/* Bounds the tiles and lists their lights. *list_length is how many entries the lists have in all:
+ * if that is more than the list buffer has had room for, they are not complete, and
+ * tl_pass_cull_again makes them. TL_BUFFER_PLANES and TL_BUFFER_LIGHTS are set; there is a light with
+ * a range. Waits for the device. Device time is added to *ms by tl_pass_finish. Fails with
+ * TL_ERR_DEVICE or TL_ERR_MEMORY. */
+tl_status tl_pass_cull(tl_pass_context *context,
+                       uint64_t *list_length,
                        double *ms,
                        tl_error *err);
+
+/* Makes room for lists of this length, below 2^32, and makes them again, where there was none. */
+tl_status tl_pass_cull_again(tl_pass_context *context,
+                             uint64_t list_length,
+                             double *ms,
+                             tl_error *err);
 
 /* In place of the two: every tile lists every light that has a range. */
 tl_status tl_pass_list_all(tl_pass_context *context, uint64_t *list_length, tl_error *err);
