@@ -3,7 +3,7 @@
 
 #include "commands.h"
 #include "console.h"
-#include "number_json.h"
+#include "json_values.h"
 #include "report_options.h"
 #include "try.h"
 #include "values.h"
@@ -108,18 +108,18 @@ static tl_status print_json(const tl_difference *d, uint64_t count, tl_error *er
     for (metric m = 0; m < METRIC_COUNT; m++)
         json_object_set_new(report, metric_names[m],
                             json_pack("{so so}", "absolute",
-                                      number_json(figure_of(d, m).absolute), "relative",
-                                      number_json(figure_of(d, m).relative)));
-    json_object_set_new(report, "mean_of_b", number_json(d->mean_value));
-    json_object_set_new(report, "psnr_db", number_json(d->psnr));
+                                      tl_json_number(figure_of(d, m).absolute), "relative",
+                                      tl_json_number(figure_of(d, m).relative)));
+    json_object_set_new(report, "mean_of_b", tl_json_number(d->mean_value));
+    json_object_set_new(report, "psnr_db", tl_json_number(d->psnr));
     json_object_set_new(report, "differing", json_integer((json_int_t)d->different_count));
     json_object_set_new(report, "not_finite", json_integer((json_int_t)d->not_finite_count));
     json_object_set_new(report, "values", json_integer((json_int_t)count));
     json_object_set_new(report, "worst",
                         json_pack("{s[ii] ss so so}", "pixel", (int)d->worst_x, (int)d->worst_y,
-                                  "channel", channel, "a", number_json((double)d->worst_a), "b",
-                                  number_json((double)d->worst_b)));
-    return number_json_print(report, err);
+                                  "channel", channel, "a", tl_json_number((double)d->worst_a),
+                                  "b", tl_json_number((double)d->worst_b)));
+    return tl_json_write("-", report, err);
 }
 
 static tl_status judge(const compare_command *options, const tl_difference *d, tl_error *err)

@@ -1,7 +1,7 @@
 /* tilelight devices: what this machine can run. */
 #include "commands.h"
 #include "console.h"
-#include "number_json.h"
+#include "json_values.h"
 #include "report_options.h"
 #include "try.h"
 #include "values.h"
@@ -117,7 +117,7 @@ int command_devices(int argc, char **argv)
     TRY(list_opencl(report, &err));
     describe_opengl(report);
     if (report)
-        TRY(number_json_print(json_incref(report), &err));
+        TRY(tl_json_write("-", json_incref(report), &err));
 done:
     json_decref(report);
     return console_finish(status, &err);

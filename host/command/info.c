@@ -3,7 +3,7 @@
 
 #include "commands.h"
 #include "console.h"
-#include "number_json.h"
+#include "json_values.h"
 #include "report_options.h"
 #include "tilelight/gbuffer_file.h"
 #include "try.h"
@@ -102,10 +102,11 @@ static tl_status picture_info(const tl_image *image, bool is_png, bool json, tl_
             info_print_values(channel_names[c], &values);
     }
     if (json)
-        return number_json_print(json_pack("{ss ss s[ii] so}", "kind", "picture", "format",
-                                           kind, "size", (int)image->width, (int)image->height,
-                                           "channels", channels),
-                                 err);
+        return tl_json_write("-",
+                             json_pack("{ss ss s[ii] so}", "kind", "picture", "format", kind,
+                                       "size", (int)image->width, (int)image->height,
+                                       "channels", channels),
+                             err);
     json_decref(channels);
     return TL_OK;
 }
@@ -122,7 +123,7 @@ static tl_status exr_info(const char *path, bool json, tl_error *err)
 
     if (tl_gbuffer_read(path, &gbuffer, &lights, &has_lights, err) == TL_OK) {
         if (json)
-            TRY(number_json_print(info_gbuffer_json(gbuffer, &lights, has_lights), err));
+            TRY(tl_json_write("-", info_gbuffer_json(gbuffer, &lights, has_lights), err));
         else
             info_print_gbuffer(gbuffer, &lights, has_lights);
     } else if (tl_image_read(path, &image, NULL, &other) == TL_OK) {
@@ -159,7 +160,7 @@ static tl_status lights_info(const char *path, bool json, tl_error *err)
     if (json) {
         json_t *report = json_pack("{ss}", "kind", "lights");
         json_object_set_new(report, "lights", info_lights_json(&lights));
-        TRY(number_json_print(report, err));
+        TRY(tl_json_write("-", report, err));
     } else {
         info_print_lights(&lights);
     }

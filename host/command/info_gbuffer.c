@@ -1,5 +1,5 @@
 #include "info.h"
-#include "number_json.h"
+#include "json_values.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -84,9 +84,9 @@ static json_t *camera_json(const tl_camera *c)
                             json_pack("[ff]", degrees((double)c->right, (double)c->left),
                                       degrees((double)c->top, (double)c->bottom)));
     const float edges[] = {c->left, c->right, c->bottom, c->top};
-    json_object_set_new(out, "left_right_bottom_top", number_json_array(edges, 4));
-    json_object_set_new(out, "near", number_json((double)c->near));
-    json_object_set_new(out, "far", number_json((double)c->far));
+    json_object_set_new(out, "left_right_bottom_top", tl_json_numbers(edges, 4));
+    json_object_set_new(out, "near", tl_json_number((double)c->near));
+    json_object_set_new(out, "far", tl_json_number((double)c->far));
     return out;
 }
 

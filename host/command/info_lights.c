@@ -1,5 +1,5 @@
 #include "info.h"
-#include "number_json.h"
+#include "json_values.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -75,6 +75,6 @@ json_t *info_lights_json(const tl_light_set *set)
             json_object_set_new(types, type_words[type], type_json(&info));
     }
     return json_pack("{sI so so so}", "count", (json_int_t)set->count, "ambient",
-                     number_json_array(set->ambient, 3), "sky", number_json_array(set->sky, 3),
+                     tl_json_numbers(set->ambient, 3), "sky", tl_json_numbers(set->sky, 3),
                      "types", types);
 }

@@ -1,7 +1,7 @@
 #include "job.h"
 
 #include "console.h"
-#include "number_json.h"
+#include "json_values.h"
 #include "tilelight/gbuffer_file.h"
 #include "try.h"
 
@@ -179,7 +179,7 @@ tl_status job_finish(job *j, const report_options *options, tl_error *err)
         if (j->shade_processors > 0.0)
             job_report(j, "shade_processors", json_real(j->shade_processors));
     }
-    return number_json_print(json_incref(j->report), err);
+    return tl_json_write("-", json_incref(j->report), err);
 }
 
 void job_release(job *j)

@@ -40,6 +40,8 @@ static const struct {
      command_scatter, ""},
     {"light", "G.exr -o OUT", "light a G-buffer", LIGHTING(command_light),
      "-DTILELIGHT_LIGHTING=ON"},
+    {"bench", "", "how fast frames are lit, and how near to what the device can do",
+     LIGHTING(command_bench), "-DTILELIGHT_LIGHTING=ON"},
     {"compare", "A B", "how far two pictures are apart", command_compare, ""},
     {"info", "FILE", "what is in a G-buffer, a picture or a lights file", command_info, ""},
     {"devices", "", "what can run: OpenCL devices, the OpenGL renderer", command_devices, ""},

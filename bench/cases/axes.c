@@ -1,0 +1,104 @@
+#include "bench_case.h"
+
+#include "tilelight/scatter.h"
+#include "words.h"
+
+#define WORD(name, word, meaning) word,
+#define MEANING(name, word, meaning) " " word ": " meaning "."
+
+static tl_status set_scene(tl_bench_case *of, const char *word, tl_error *err)
+{
+    const char *names[64];
+    size_t at = 0;
+    for (int i = 0; i < tl_bench_scene_count; i++)
+        names[i] = tl_bench_scenes[i].name;
+    const tl_status status =
+        tl_word_among("--scene", word, names, (size_t)tl_bench_scene_count, &at, err);
+    if (status == TL_OK)
+        of->scene = &tl_bench_scenes[at];
+    return status;
+}
+
+static tl_status set_size(tl_bench_case *of, const char *word, tl_error *err)
+{
+    return tl_word_size("--size", word, &of->scene_options.width, &of->scene_options.height,
+                        err);
+}
+
+static tl_status set_lights(tl_bench_case *of, const char *word, tl_error *err)
+{
+    return tl_word_integer("--lights", word, 1, TL_MAX_SCATTERED,
+                           &of->scene_options.light_count, err);
+}
+
+static tl_status set_per_tile(tl_bench_case *of, const char *word, tl_error *err)
+{
+    return tl_word_number("--per-tile", word, 0.1, 1e6, &of->scene_options.lights_per_tile,
+                          err);
+}
+
+static tl_status set_tile(tl_bench_case *of, const char *word, tl_error *err)
+{
+    static const char *const words[] = {"8", "16", "32", "64"};
+    size_t at = 0;
+    const tl_status status = tl_word_among("--tile", word, words, 4, &at, err);
+    of->lighting.tile_size = 8u << at;
+    return status;
+}
+
+static tl_status set_cull(tl_bench_case *of, const char *word, tl_error *err)
+{
+    static const char *const words[] = {TL_CULLS(WORD)};
+    size_t at = 0;
+    const tl_status status = tl_word_among("--cull", word, words, TL_CULL_COUNT, &at, err);
+    of->lighting.cull = (tl_cull)at;
+    return status;
+}
+
+static tl_status set_precision(tl_bench_case *of, const char *word, tl_error *err)
+{
+    static const char *const words[] = {TL_PRECISIONS(WORD)};
+    size_t at = 0;
+    const tl_status status =
+        tl_word_among("--precision", word, words, TL_PRECISION_COUNT, &at, err);
+    of->lighting.precision = (tl_precision)at;
+    return status;
+}
+
+static tl_status set_width(tl_bench_case *of, const char *word, tl_error *err)
+{
+    static const char *const words[] = {"auto", "1", "4", "8", "16"};
+    static const uint32_t widths[] = {0, 1, 4, 8, 16};
+    size_t at = 0;
+    const tl_status status = tl_word_among("--width", word, words, 5, &at, err);
+    of->lighting.vector_width = widths[at];
+    return status;
+}
+
+/* Any selector is a word; opening it says whether it names a device. */
+static tl_status set_device(tl_bench_case *of, const char *word, tl_error *err)
+{
+    (void)of, (void)word, (void)err;
+    return TL_OK;
+}
+
+const tl_bench_axis tl_bench_axes[TL_AXIS_COUNT] = {
+    [TL_AXIS_DEVICE] = {"device", "NAME,...",
+                        "OpenCL devices, by index, part of a name, cpu, gpu, or default",
+                        "default", set_device},
+    [TL_AXIS_SCENE] = {"scene", "NAME,...", "scenes; `tilelight bench --list' describes them",
+                       "spheres", set_scene},
+    [TL_AXIS_SIZE] = {"size", "WxH,...", "sizes of the picture, px", "1920x1080", set_size},
+    [TL_AXIS_LIGHTS] = {"lights", "N,...", "how many lights, 1 to 1000000", "1024", set_lights},
+    [TL_AXIS_PER_TILE] = {"per-tile", "N,...",
+                          "lights that a tile of 16 px lists on average; sets their range",
+                          "27", set_per_tile},
+    [TL_AXIS_TILE] = {"tile", "PX,...", "sides of a tile: 8, 16, 32 or 64", "16", set_tile},
+    [TL_AXIS_CULL] = {"cull", "MODE,...", "which lights a tile computes." TL_CULLS(MEANING),
+                      "depth", set_cull},
+    [TL_AXIS_PRECISION] = {"precision", "NAME,...",
+                           "how it is computed." TL_PRECISIONS(MEANING), "float",
+                           set_precision},
+    [TL_AXIS_WIDTH] = {"width", "LANES,...", "vector lanes of the kernels: 1, 4, 8, 16 or auto",
+                       "auto", set_width},
+};

@@ -1,0 +1,77 @@
+/* Cases of the bench: points on axes.
+ *
+ * An axis is one const struct: what it is called on the command line, and how one word of its list
+ * becomes part of a case. A further layout, model or effect to measure is a name below and a row of
+ * the table: command line, help, reports and comparison loop over it. */
+#ifndef TL_BENCH_CASE_H
+#define TL_BENCH_CASE_H
+
+#include "bench_scene.h"
+#include "tilelight/lighting.h"
+
+/* The earlier ones change most slowly from case to case. */
+typedef enum tl_bench_axis_name {
+    TL_AXIS_DEVICE, /* its word is a selector for tl_device_open; "default" opens the default */
+    TL_AXIS_SCENE,
+    TL_AXIS_SIZE,
+    TL_AXIS_LIGHTS,
+    TL_AXIS_PER_TILE,
+    TL_AXIS_TILE,
+    TL_AXIS_CULL,
+    TL_AXIS_PRECISION,
+    TL_AXIS_WIDTH,
+    TL_AXIS_COUNT
+} tl_bench_axis_name;
+
+enum { TL_BENCH_WORD_SIZE = 64 }; /* bytes */
+
+typedef struct tl_bench_case {
+    const tl_bench_scene *scene;
+    tl_bench_scene_options scene_options;
+    tl_lighting_options lighting;
+    char words[TL_AXIS_COUNT][TL_BENCH_WORD_SIZE]; /* as given: what it is called */
+} tl_bench_case;
+
+typedef struct tl_bench_axis {
+    const char *name;    /* of the option, without dashes; the key in JSON, the column in CSV */
+    const char *values;  /* what the option takes, for the help */
+    const char *meaning; /* a sentence without its end */
+    const char *usual;   /* the word it has unless told otherwise */
+    /* Fails with TL_ERR_ARGUMENT, naming the option and what it accepts. */
+    tl_status (*set)(tl_bench_case *of, const char *word, tl_error *err);
+} tl_bench_axis;
+
+extern const tl_bench_axis tl_bench_axes[TL_AXIS_COUNT];
+
+/* A list of words per axis; NULL: the usual one. */
+typedef struct tl_bench_lists {
+    const char *of[TL_AXIS_COUNT]; /* "27,54"; borrowed */
+} tl_bench_lists;
+
+/* Sets of cases that have names: what runs unless axes are given. */
+typedef struct tl_bench_set {
+    const char *name, *meaning;
+    tl_bench_lists lists;
+} tl_bench_set;
+extern const tl_bench_set tl_bench_sets[];
+extern const int tl_bench_set_count;
+
+/* NULL where none has that name. */
+const tl_bench_set *tl_bench_set_find(const char *name);
+
+typedef struct tl_bench_cases {
+    tl_bench_case *cases; /* [count]; owned */
+    size_t count;
+} tl_bench_cases;
+
+/* Appends the product of the lists, leaving out cases that are there already. Fails with
+ * TL_ERR_ARGUMENT (a word; more than 10000 cases) or TL_ERR_MEMORY, *cases as before. */
+tl_status tl_bench_cases_add(tl_bench_cases *cases, const tl_bench_lists *lists, tl_error *err);
+
+/* Leaves it empty. */
+void tl_bench_cases_clear(tl_bench_cases *cases);
+
+/* Whether both light the same frame: scene, size, lights, their range. */
+int tl_bench_case_same_frame(const tl_bench_case *a, const tl_bench_case *b);
+
+#endif

@@ -1,0 +1,26 @@
+/* The frame that cases light, made once for all that share it. */
+#ifndef TL_BENCH_FRAME_H
+#define TL_BENCH_FRAME_H
+
+#include "bench_case.h"
+#include "pair_counts.h"
+#include "tilelight/image.h"
+
+/* All zero to begin with. */
+typedef struct tl_bench_frame {
+    tl_bench_case made_for; /* scene NULL: nothing is made */
+    tl_gbuffer *gbuffer;
+    tl_light_set lights;
+    tl_pair_counts pairs;
+    tl_image *image;
+    uint8_t *rgb; /* [height][width][3] */
+} tl_bench_frame;
+
+/* Makes *frame the one of this case, where it is not that already. Fails with TL_ERR_ARGUMENT or
+ * TL_ERR_MEMORY; then *frame is empty. */
+tl_status tl_bench_frame_make(tl_bench_frame *frame, const tl_bench_case *of, tl_error *err);
+
+/* Leaves it all zero. */
+void tl_bench_frame_clear(tl_bench_frame *frame);
+
+#endif

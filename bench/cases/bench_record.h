@@ -1,0 +1,43 @@
+/* What a case came to. */
+#ifndef TL_BENCH_RECORD_H
+#define TL_BENCH_RECORD_H
+
+#include "bench_frame.h"
+#include "peaks.h"
+#include "sampling.h"
+
+/* The device of a case without one (a precision on the CPU) has an empty name. */
+typedef struct tl_bench_record {
+    tl_bench_case of;
+    tl_device_info device;
+    tl_peaks peaks;       /* of the device; all zero where none were measured */
+    uint32_t plane_count; /* of the frame */
+    uint32_t pitch, rows; /* px */
+    double range;         /* m, of every light */
+    tl_lighting_counts counts;
+    tl_pair_counts pairs;
+
+    double first_ms; /* the first frame: programs are built or loaded, buffers made */
+    double build_ms; /* of that, building or loading the programs */
+
+    tl_summary frame_ms;                    /* tl_lighting_run, wall time */
+    tl_summary kernel_cull_ms;              /* from profiling events */
+    tl_summary kernel_shade_ms;             /* the same */
+    tl_summary post_ms;                     /* from radiance to 8 bits, wall time */
+    int stage_count;                        /* of tl_lighting_run, wall time */
+    const char *stage_names[TL_MAX_STAGES]; /* string literals */
+    tl_summary stage_ms[TL_MAX_STAGES];
+} tl_bench_record;
+
+/* Lights the case's frame: once to warm up, then until `rule` has enough, the pictures dropped.
+ * device may be NULL where the precision needs none, peaks where shares do not matter. Fails as tl_lighting_create and
+ * tl_lighting_run do. */
+tl_status tl_bench_measure(tl_device *device,
+                           const tl_peaks *peaks,
+                           const tl_bench_case *of,
+                           tl_bench_frame *frame,
+                           const tl_sampling_rule *rule,
+                           tl_bench_record *out,
+                           tl_error *err);
+
+#endif

@@ -1,0 +1,146 @@
+#include "bench_case.h"
+
+#include "try.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_CASES = 10000, MOST_LIST = 4096 };
+
+const tl_bench_set tl_bench_sets[] = {
+    {"scenes",
+     "every scene, 1080p, 1024 lights, 27 per tile",
+     {.of[TL_AXIS_SCENE] = "spheres,wall,foliage,grazing"}},
+    {"sizes", "more pixels", {.of[TL_AXIS_SIZE] = "640x360,1920x1080,3840x2160"}},
+    {"lights", "more lights, as many per tile", {.of[TL_AXIS_LIGHTS] = "64,1024,16384"}},
+    {"density", "more lights per tile", {.of[TL_AXIS_PER_TILE] = "3,27,100"}},
+    {"tiles", "other tiles", {.of[TL_AXIS_TILE] = "8,16,32,64"}},
+    {"culling", "what culling saves", {.of[TL_AXIS_CULL] = "depth,rect"}},
+    {"widths", "one source, narrower vectors", {.of[TL_AXIS_WIDTH] = "1,4,8,auto"}},
+    {"precisions", "what double costs", {.of[TL_AXIS_PRECISION] = "float,double"}},
+};
+const int tl_bench_set_count = sizeof tl_bench_sets / sizeof tl_bench_sets[0];
+
+const tl_bench_set *tl_bench_set_find(const char *name)
+{
+    for (int i = 0; i < tl_bench_set_count; i++)
+        if (strcmp(tl_bench_sets[i].name, name) == 0)
+            return &tl_bench_sets[i];
+    return NULL;
+}
+
+/* The words of one list. */
+typedef struct words {
+    char text[MOST_LIST]; /* commas made into ends of words */
+    const char *of[MOST_LIST / 2];
+    size_t count;
+} words;
+
+static tl_status split(const char *list, const char *axis, words *out, tl_error *err)
+{
+    const size_t length = strlen(list);
+    if (length >= MOST_LIST)
+        return tl_fail(err, TL_ERR_ARGUMENT, "--%s: the list has more than %d characters", axis,
+                       MOST_LIST - 1);
+    memcpy(out->text, list, length + 1);
+    out->count = 0;
+    for (char *word = out->text; word; out->count++) {
+        char *comma = strchr(word, ',');
+        if (comma)
+            *comma = '\0';
+        if (*word == '\0')
+            return tl_fail(err, TL_ERR_ARGUMENT,
+                           "--%s: \"%s\" is no list: write words with commas between them",
+                           axis, list);
+        if (strlen(word) >= TL_BENCH_WORD_SIZE)
+            return tl_fail(err, TL_ERR_ARGUMENT, "--%s: \"%s\" is too long a word", axis, word);
+        out->of[out->count] = word;
+        word = comma ? comma + 1 : NULL;
+    }
+    return TL_OK;
+}
+
+static tl_bench_case starting_case(void)
+{
+    return (tl_bench_case){.scene = &tl_bench_scenes[0],
+                           .scene_options = tl_bench_scene_options_default(),
+                           .lighting = tl_lighting_options_default()};
+}
+
+static int is_there(const tl_bench_cases *cases, const tl_bench_case *one)
+{
+    for (size_t i = 0; i < cases->count; i++)
+        if (memcmp(cases->cases[i].words, one->words, sizeof one->words) == 0)
+            return 1;
+    return 0;
+}
+
+static tl_status append(tl_bench_cases *cases, const tl_bench_case *one, tl_error *err)
+{
+    if (is_there(cases, one))
+        return TL_OK;
+    if (cases->count == MOST_CASES)
+        return tl_fail(err, TL_ERR_ARGUMENT, "the lists make more than %d cases", MOST_CASES);
+    tl_bench_case *grown = realloc(cases->cases, (cases->count + 1) * sizeof *grown);
+    if (!grown)
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for cases");
+    grown[cases->count++] = *one;
+    cases->cases = grown;
+    return TL_OK;
+}
+
+/* The case whose words are the `number`th combination, the last axis changing fastest. */
+static tl_status make_case(const words *lists, size_t number, tl_bench_case *out, tl_error *err)
+{
+    tl_status status = TL_OK;
+    *out = starting_case();
+    for (int axis = TL_AXIS_COUNT; axis-- > 0;) {
+        const char *word = lists[axis].of[number % lists[axis].count];
+        number /= lists[axis].count;
+        memcpy(out->words[axis], word, strlen(word) + 1);
+        TRY(tl_bench_axes[axis].set(out, word, err));
+    }
+done:
+    return status;
+}
+
+tl_status tl_bench_cases_add(tl_bench_cases *cases, const tl_bench_lists *lists, tl_error *err)
+{
+    const size_t count_before = cases->count;
+    tl_status status = TL_OK;
+    size_t product = 1;
+    words *split_lists = calloc(TL_AXIS_COUNT, sizeof *split_lists);
+    if (!split_lists)
+        TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for cases"));
+    for (int axis = 0; axis < TL_AXIS_COUNT; axis++) {
+        const char *list = lists->of[axis] ? lists->of[axis] : tl_bench_axes[axis].usual;
+        TRY(split(list, tl_bench_axes[axis].name, &split_lists[axis], err));
+        product *= split_lists[axis].count;
+        if (product > MOST_CASES)
+            TRY(tl_fail(err, TL_ERR_ARGUMENT, "the lists make more than %d cases", MOST_CASES));
+    }
+    for (size_t number = 0; number < product; number++) {
+        tl_bench_case one;
+        TRY(make_case(split_lists, number, &one, err));
+        TRY(append(cases, &one, err));
+    }
+done:
+    if (status != TL_OK)
+        cases->count = count_before;
+    free(split_lists);
+    return status;
+}
+
+void tl_bench_cases_clear(tl_bench_cases *cases)
+{
+    free(cases->cases);
+    *cases = (tl_bench_cases){0};
+}
+
+int tl_bench_case_same_frame(const tl_bench_case *a, const tl_bench_case *b)
+{
+    const tl_bench_scene_options *x = &a->scene_options, *y = &b->scene_options;
+    return a->scene == b->scene && x->width == y->width && x->height == y->height &&
+           x->light_count == y->light_count && x->seed == y->seed &&
+           x->lights_per_tile == y->lights_per_tile && x->range == y->range;
+}

@@ -1,0 +1,87 @@
+#define _POSIX_C_SOURCE 200809L
+#include "bench_csv.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void print_text(FILE *out, const char *text)
+{
+    if (!strpbrk(text, ",\"\n")) {
+        fputs(text, out);
+        return;
+    }
+    fputc('"', out);
+    for (; *text; text++)
+        fprintf(out, *text == '"' ? "\"\"" : "%c", *text);
+    fputc('"', out);
+}
+
+static void print_number(FILE *out, double value)
+{
+    fputc(',', out);
+    if (isfinite(value))
+        fprintf(out, "%.9g", value);
+}
+
+static void print_names(FILE *out)
+{
+    for (int axis = 0; axis < TL_AXIS_COUNT; axis++)
+        fprintf(out, "%s,", tl_bench_axes[axis].name);
+    fputs("device_name,samples", out);
+    for (int i = 0; i < tl_bench_time_count; i++) {
+        const char *name = tl_bench_times[i].name;
+        fprintf(out, ",%s_median,%s_low,%s_high,%s_least,%s_p90", name, name, name, name, name);
+    }
+    fputs(",first_frame,build,pairs_culled,pairs_in_range,pairs_lit,device_bytes", out);
+    for (int i = 0; i < tl_figure_count; i++)
+        fprintf(out, ",%s", tl_figures[i].name);
+    fputc('\n', out);
+}
+
+static void print_record(FILE *out, const tl_bench_record *r)
+{
+    for (int axis = 0; axis < TL_AXIS_COUNT; axis++) {
+        print_text(out, r->of.words[axis]);
+        fputc(',', out);
+    }
+    print_text(out, r->device.name);
+    fprintf(out, ",%zu", r->frame_ms.count);
+    for (int i = 0; i < tl_bench_time_count; i++) {
+        const tl_summary *s = tl_bench_time_of(&tl_bench_times[i], r);
+        const double values[] = {s->median, s->interval.low, s->interval.high, s->least,
+                                 s->p90};
+        for (size_t k = 0; k < sizeof values / sizeof values[0]; k++)
+            print_number(out, values[k]);
+    }
+    print_number(out, r->first_ms);
+    print_number(out, r->build_ms);
+    fprintf(out, ",%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64, r->counts.pair_count,
+            r->pairs.in_range, r->pairs.lit, r->counts.device_bytes);
+    for (int i = 0; i < tl_figure_count; i++)
+        print_number(out, tl_figures[i].of(r));
+    fputc('\n', out);
+}
+
+tl_status tl_bench_csv(const tl_bench_record *records, size_t count, char **out, tl_error *err)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&text, &size);
+    int failed = !stream;
+    if (stream) {
+        print_names(stream);
+        for (size_t i = 0; i < count; i++)
+            print_record(stream, &records[i]);
+        failed = ferror(stream);
+        failed = fclose(stream) != 0 || failed;
+    }
+    if (failed) {
+        free(text);
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for the records");
+    }
+    *out = text;
+    return TL_OK;
+}

@@ -1,0 +1,110 @@
+#define _GNU_SOURCE /* asprintf */
+#include "bench_options.h"
+
+#include "console.h"
+#include "output.h"
+#include "values.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    OPTION_AXES = 256, /* and as many more as there are axes */
+    OPTION_CASE = OPTION_AXES + TL_AXIS_COUNT,
+    OPTION_SAMPLES,
+    OPTION_DEVIATION,
+    OPTION_SECONDS,
+    OPTION_LIST,
+    OPTION_CSV,
+    OPTION_JSON
+};
+
+enum { MOST_OPTIONS = TL_AXIS_COUNT + 32 };
+
+static void check_together(const bench_options *options, struct argp_state *state)
+{
+    if (options->csv && options->json && strcmp(options->csv, "-") == 0 &&
+        strcmp(options->json, "-") == 0)
+        argp_error(state, "--csv - and --json - both want standard output");
+}
+
+static error_t parse(int key, char *text, struct argp_state *state)
+{
+    static const value_arguments none = {NULL, NULL, 0};
+    bench_options *options = state->input;
+    if (key >= OPTION_AXES && key < OPTION_AXES + TL_AXIS_COUNT) {
+        options->lists.of[key - OPTION_AXES] = text;
+        options->lists_given = true;
+        return 0;
+    }
+    switch (key) {
+    case OPTION_CASE: options->sets = text; return 0;
+    case OPTION_SAMPLES:
+        options->rule.least_samples = value_integer(state, "--samples", text, 1, 1000);
+        return 0;
+    case OPTION_DEVIATION:
+        options->rule.deviation = 0.01 * value_number(state, "--deviation", text, 0.0, 100.0);
+        return 0;
+    case OPTION_SECONDS:
+        options->rule.seconds = value_number(state, "--seconds", text, 0.0, 86400.0);
+        return 0;
+    case OPTION_LIST: options->list = true; return 0;
+    case OPTION_CSV: options->csv = text; return 0;
+    case OPTION_JSON: options->json = text; return 0;
+    case 'q': console_quiet(true); return 0;
+    case ARGP_KEY_SUCCESS: check_together(options, state); return 0;
+    default: return value_argument(key, text, state, &none);
+    }
+}
+
+static const struct argp_option fixed_options[] = {
+    {"case", OPTION_CASE, "SET,...", 0,
+     "Sets of cases that have names, each over the axes that it varies (default, where no axis "
+     "is given either: all)",
+     1},
+    {NULL, 0, NULL, 0, "Sampling:", 3},
+    {"samples", OPTION_SAMPLES, "N", 0,
+     "At least so many frames a case, after one that warms up (default 10)", 3},
+    {"deviation", OPTION_DEVIATION, "PERCENT", 0,
+     "Enough when half the median's 95 % interval is below this (default 1)", 3},
+    {"seconds", OPTION_SECONDS, "S", 0, "Or when this long a time has passed (default 2)", 3},
+    {NULL, 0, NULL, 0, "Results:", 4},
+    {"json", OPTION_JSON, "FILE", 0, "All there is, as one JSON object (- is standard output)",
+     4},
+    {"csv", OPTION_CSV, "FILE", 0, "A line a case (- is standard output)", 4},
+    {"list", OPTION_LIST, NULL, 0, "Describe axes, sets of cases and scenes; measure nothing",
+     5},
+    {"quiet", 'q', NULL, 0, "No table and no progress; errors are still said", 5},
+};
+
+/* "Words": the meaning, and the usual word behind it. */
+static char *axis_help(const tl_bench_axis *axis)
+{
+    char *text = NULL;
+    return asprintf(&text, "%s (default %s)", axis->meaning, axis->usual) < 0 ? NULL : text;
+}
+
+void bench_parse(int argc, char **argv, bench_options *options)
+{
+    struct argp_option table[MOST_OPTIONS] = {
+        {NULL, 0, NULL, 0, "Axes; the cases are the product of their lists:", 2}};
+    const struct argp argp = {
+        .options = table,
+        .parser = parse,
+        .doc = "Measures how fast scenes of its own are lit: wall time, kernel time, and how "
+               "near to what the device can do at most.",
+    };
+    size_t count = 1;
+    char *helps[TL_AXIS_COUNT];
+    for (int axis = 0; axis < TL_AXIS_COUNT; axis++) {
+        const tl_bench_axis *a = &tl_bench_axes[axis];
+        helps[axis] = axis_help(a);
+        table[count++] =
+            (struct argp_option){a->name, OPTION_AXES + axis, a->values, 0, helps[axis], 2};
+    }
+    for (size_t i = 0; i < sizeof fixed_options / sizeof fixed_options[0]; i++)
+        table[count++] = fixed_options[i];
+    argp_parse(&argp, argc, argv, 0, NULL, options);
+    for (int axis = 0; axis < TL_AXIS_COUNT; axis++)
+        free(helps[axis]);
+}
