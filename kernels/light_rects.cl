@@ -15,7 +15,8 @@ __kernel void light_rects(const tl_frame frame,
                           __global int *restrict rects,
                           __global uint *restrict list_end)
 {
-    const tl_view_window window = view_window(&frame, TL_ORTHOGRAPHIC);
+    const tl_view_window window = view_window(&frame, TL_LEAST_DEPTH(TL_ORTHOGRAPHIC),
+                                              TL_GREATEST_DEPTH, TL_ORTHOGRAPHIC);
     const uint pitch = TL_RECT_PITCH(frame.light_count);
     const uint first = get_global_id(0) * TL_RECT_GRANULE;
     for (uint i = first; i < first + TL_RECT_GRANULE; i++) {

@@ -7,8 +7,7 @@
  *      roundings in d2. Below 1e-20 m squares vanish, so as much is added.
  *   2. ray. A computed position has x/depth off its pixel's ray by at most 8u (|left| + |right|):
  *      2u|ray| in view_position, 2u (|x0| + |dx| width) in rounding x0 and dx.
- *   3. depth. near and far are the least and the largest depth that a pixel can have, not the
- *      camera's planes, so that rectangles need not wait for the frame's depths. */
+ *   3. depth. near and far are bounds of the computed depths, not the camera's planes. */
 #ifndef TL_TILE_RECT_H
 #define TL_TILE_RECT_H
 
@@ -41,7 +40,15 @@ typedef struct tl_view_window {
     int orthographic;
 } tl_view_window;
 
-TL_INLINE tl_view_window view_window(const tl_frame *frame, int orthographic)
+/* What bounds every depth: for rectangles that do not wait for those of the frame. */
+#    define TL_LEAST_DEPTH(orthographic) ((orthographic) ? -0x1p128 : 0x1p-149)
+#    define TL_GREATEST_DEPTH 0x1p128
+
+/* near, far: they hold every computed depth. */
+TL_INLINE tl_view_window view_window(const tl_frame *frame,
+                                     double near,
+                                     double far,
+                                     int orthographic)
 {
     const tl_rays rays = frame->rays;
     const double right_px = (double)(frame->tiles_x * frame->tile_size);
@@ -51,8 +58,8 @@ TL_INLINE tl_view_window view_window(const tl_frame *frame, int orthographic)
     w.height = (double)rays.dy;
     w.left = (double)rays.x0 - 0.5 * w.width;
     w.top = (double)rays.y0 - 0.5 * w.height;
-    w.near = orthographic ? -0x1p128 : 0x1p-149;
-    w.far = 0x1p128;
+    w.near = near;
+    w.far = far;
     w.margin_x = TL_RAY_MARGIN * (fabs(w.left) + fabs(w.left + w.width * right_px));
     w.margin_y = TL_RAY_MARGIN * (fabs(w.top) + fabs(w.top + w.height * bottom_px));
     w.orthographic = orthographic;

@@ -103,7 +103,9 @@ static tl_status rects_on_host(const tl_pass_context *c, tl_error *err)
     cl_int *rects = calloc(TL_RECT_PLANE_COUNT * pitch, sizeof *rects);
     if (!rects)
         TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for the rectangles of lights"));
-    const tl_view_window window = view_window(frame, (int)c->prepared->needs.orthographic);
+    const int orthographic = (int)c->prepared->needs.orthographic;
+    const tl_view_window window =
+        view_window(frame, TL_LEAST_DEPTH(orthographic), TL_GREATEST_DEPTH, orthographic);
     for (uint32_t i = frame->global_count; i < frame->light_count; i++) {
         const tl_tile_rect rect = tile_rect_of(window, frame, c->prepared->lights[i]);
         rects[TL_RECT_X0 * pitch + i] = rect.x0;
