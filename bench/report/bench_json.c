@@ -41,7 +41,7 @@ json_t *tl_bench_json_peaks(const tl_peaks *p)
                      (int)TL_FLOPS_OF_TEST, "flops_of_pair", (int)TL_FLOPS_OF_PAIR);
 }
 
-static json_t *case_json(const tl_bench_case *of)
+json_t *tl_bench_json_case(const tl_bench_case *of)
 {
     json_t *object = json_object();
     for (int axis = 0; axis < TL_AXIS_COUNT; axis++)
@@ -78,7 +78,7 @@ json_t *tl_bench_json_record(const tl_bench_record *r)
 {
     const tl_lighting_counts *c = &r->counts;
     json_t *object =
-        json_pack("{so so so so so}", "case", case_json(&r->of), "device",
+        json_pack("{so so so so so}", "case", tl_bench_json_case(&r->of), "device",
                   tl_bench_json_device(&r->device), "peaks", tl_bench_json_peaks(&r->peaks),
                   "times_ms", times_json(r), "figures", figures_json(r));
     json_t *frame = json_pack("{so si sI sI si sI}", "range_m", tl_json_number(r->range),

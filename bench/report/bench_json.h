@@ -16,6 +16,9 @@ json_t *tl_bench_json_summary(const tl_summary *summary);
 
 json_t *tl_bench_json_device(const tl_device_info *device);
 json_t *tl_bench_json_peaks(const tl_peaks *peaks);
+
+/* Its words by axis. */
+json_t *tl_bench_json_case(const tl_bench_case *of);
 json_t *tl_bench_json_record(const tl_bench_record *record);
 
 #endif

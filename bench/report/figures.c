@@ -39,7 +39,8 @@ static double shade_seconds(const tl_bench_record *r)
 
 static double ns_per_pair(const tl_bench_record *r)
 {
-    return r->counts.pair_count ? 1e6 * r->frame_ms.median / (double)r->counts.pair_count : (double)NAN;
+    return r->counts.pair_count ? 1e6 * r->frame_ms.median / (double)r->counts.pair_count
+                                : (double)NAN;
 }
 
 static double ns_per_lit_pair(const tl_bench_record *r)
@@ -87,12 +88,14 @@ static double flops_per_byte(const tl_bench_record *r)
 
 static double share_of_flops(const tl_bench_record *r)
 {
-    return r->peaks.flops > 0.0 ? flops_of_shading(r) / shade_seconds(r) / r->peaks.flops : (double)NAN;
+    return r->peaks.flops > 0.0 ? flops_of_shading(r) / shade_seconds(r) / r->peaks.flops
+                                : (double)NAN;
 }
 
 static double share_of_bytes(const tl_bench_record *r)
 {
-    return r->peaks.bytes > 0.0 ? bytes_of_shading(r) / shade_seconds(r) / r->peaks.bytes : (double)NAN;
+    return r->peaks.bytes > 0.0 ? bytes_of_shading(r) / shade_seconds(r) / r->peaks.bytes
+                                : (double)NAN;
 }
 
 const tl_figure tl_figures[] = {

@@ -14,6 +14,8 @@ enum {
     OPTION_SAMPLES,
     OPTION_DEVIATION,
     OPTION_SECONDS,
+    OPTION_BASELINES,
+    OPTION_QUICK,
     OPTION_LIST,
     OPTION_CSV,
     OPTION_JSON
@@ -21,11 +23,20 @@ enum {
 
 enum { MOST_OPTIONS = TL_AXIS_COUNT + 32 };
 
+bench_options bench_options_default(void)
+{
+    return (bench_options){.rule = tl_sampling_rule_default()};
+}
+
 static void check_together(const bench_options *options, struct argp_state *state)
 {
     if (options->csv && options->json && strcmp(options->csv, "-") == 0 &&
         strcmp(options->json, "-") == 0)
         argp_error(state, "--csv - and --json - both want standard output");
+    if (options->quick && options->mode != BENCH_BASELINES)
+        argp_error(state, "--quick is for --baselines");
+    if (options->mode != BENCH_CASES && (options->csv || options->sets))
+        argp_error(state, "--csv and --case are for cases, not for --baselines");
 }
 
 static error_t parse(int key, char *text, struct argp_state *state)
@@ -47,11 +58,17 @@ static error_t parse(int key, char *text, struct argp_state *state)
         return 0;
     case OPTION_SECONDS:
         options->rule.seconds = value_number(state, "--seconds", text, 0.0, 86400.0);
+        options->seconds_given = true;
         return 0;
-    case OPTION_LIST: options->list = true; return 0;
+    case OPTION_BASELINES: options->mode = BENCH_BASELINES; return 0;
+    case OPTION_QUICK: options->quick = true; return 0;
+    case OPTION_LIST: options->mode = BENCH_LIST; return 0;
     case OPTION_CSV: options->csv = text; return 0;
     case OPTION_JSON: options->json = text; return 0;
-    case 'q': console_quiet(true); return 0;
+    case 'q':
+        options->quiet = true;
+        console_quiet(true);
+        return 0;
     case ARGP_KEY_SUCCESS: check_together(options, state); return 0;
     default: return value_argument(key, text, state, &none);
     }
@@ -62,18 +79,27 @@ static const struct argp_option fixed_options[] = {
      "Sets of cases that have names, each over the axes that it varies (default, where no axis "
      "is given either: all)",
      1},
+    {"baselines", OPTION_BASELINES, NULL, 0,
+     "Light one frame by turns with the kernels and with every other way that `--list' names: "
+     "our time over theirs",
+     1},
+    {"quick", OPTION_QUICK, NULL, 0,
+     "With --baselines: in less than 45 s where kernels are compiled; what takes more than a "
+     "second a frame is sampled once, and then has no interval",
+     1},
     {NULL, 0, NULL, 0, "Sampling:", 3},
     {"samples", OPTION_SAMPLES, "N", 0,
      "At least so many frames a case, after one that warms up (default 10)", 3},
     {"deviation", OPTION_DEVIATION, "PERCENT", 0,
      "Enough when half the median's 95 % interval is below this (default 1)", 3},
-    {"seconds", OPTION_SECONDS, "S", 0, "Or when this long a time has passed (default 2)", 3},
+    {"seconds", OPTION_SECONDS, "S", 0,
+     "Or when this long a time has passed (default 2; with --baselines 8, --quick 1.5)", 3},
     {NULL, 0, NULL, 0, "Results:", 4},
     {"json", OPTION_JSON, "FILE", 0, "All there is, as one JSON object (- is standard output)",
      4},
     {"csv", OPTION_CSV, "FILE", 0, "A line a case (- is standard output)", 4},
-    {"list", OPTION_LIST, NULL, 0, "Describe axes, sets of cases and scenes; measure nothing",
-     5},
+    {"list", OPTION_LIST, NULL, 0,
+     "Describe axes, sets of cases, scenes and baselines; measure nothing", 5},
     {"quiet", 'q', NULL, 0, "No table and no progress; errors are still said", 5},
 };
 

@@ -8,14 +8,21 @@
 #include <argp.h>
 #include <stdbool.h>
 
+typedef enum bench_mode { BENCH_CASES, BENCH_BASELINES, BENCH_LIST } bench_mode;
+
 typedef struct bench_options {
+    bench_mode mode;
     tl_bench_lists lists; /* of the axes that were given */
     bool lists_given;
     const char *sets; /* "scenes,tiles"; NULL: none named */
     tl_sampling_rule rule;
-    bool list;
+    bool seconds_given;
+    bool quick; /* baselines: those above a second once */
+    bool quiet;
     const char *csv, *json; /* where to; NULL: nowhere */
 } bench_options;
+
+bench_options bench_options_default(void);
 
 /* Of the table of axes and the rest; usage errors end the program with status 2. */
 void bench_parse(int argc, char **argv, bench_options *options);
