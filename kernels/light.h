@@ -27,34 +27,51 @@ typedef struct received {
     vec3 diffuse, specular;
 } received;
 
-/* `sum` and what arrives from direction l with `weight`, in lanes of `lit`; length is |l| and
- * per_length 1/|l|. A lane outside `lit` adds exactly 0. The half vector is taken |l| times as long
- * as usual, l + |l| v, so that it does not wait for the division. */
-TL_INLINE received add_lobes(received sum,
-                             tl_needs needs,
-                             surface s,
-                             tl_view_light light,
-                             vec3 l,
-                             real length,
-                             real per_length,
-                             real weight,
-                             mask lit)
+/* How a surface sees a light in direction l, which is as long as the light is far. */
+typedef struct approach {
+    real distance2; /* m^2 */
+    real facing;    /* n.l: the cosine times the distance, above 0 where the light is above */
+} approach;
+
+TL_INLINE approach approach_of(surface s, vec3 l)
 {
-    const real n_dot_l = dot3(s.normal, l) * per_length;
-    const mask above = lit & (n_dot_l > R(0.0));
-    const real seen = pick(above, weight, R(0.0));
-    const vec3 diffuse = {(real)light.diffuse[0], (real)light.diffuse[1],
-                          (real)light.diffuse[2]};
-    received now = sum;
-    now.diffuse = fma3(diffuse, pick(above, seen * n_dot_l, R(0.0)), sum.diffuse);
-    if (needs.specular) {
-        const vec3 specular = {(real)light.specular[0], (real)light.specular[1],
-                               (real)light.specular[2]};
-        const real lobe =
-            blinn_phong_specular(s.normal, fma3(s.to_eye, length, l), s.shininess);
-        now.specular = fma3(specular, seen * lobe, sum.specular);
-    }
-    return now;
+    const approach a = {dot3(l, l), dot3(s.normal, l)};
+    return a;
+}
+
+/* `diffuse` and what arrives with `weight` under this cosine, in lanes of `lit`. *seen becomes the
+ * weight where the light is above the surface. A lane outside `lit` adds exactly 0. */
+TL_INLINE vec3
+add_diffuse(vec3 diffuse, tl_view_light light, real cosine, real weight, mask lit, real *seen)
+{
+    const vec3 color = {(real)light.diffuse[0], (real)light.diffuse[1], (real)light.diffuse[2]};
+    const mask above = lit & (cosine > R(0.0));
+    *seen = pick(above, weight, R(0.0));
+    return fma3(color, pick(above, *seen * cosine, R(0.0)), diffuse);
+}
+
+/* The half vector is taken |l| times as long as usual, l + |l| v, so that it does not wait for the
+ * division. */
+TL_INLINE half_angle highlight_angle(surface s, vec3 l, real length)
+{
+    return angle_of(s.normal, fma3(s.to_eye, length, l));
+}
+
+/* weight: what is seen of the light, 0 where the half vector is not above the surface. */
+TL_INLINE vec3 add_specular(vec3 specular, tl_view_light light, real weight, real power)
+{
+    const vec3 color = {(real)light.specular[0], (real)light.specular[1],
+                        (real)light.specular[2]};
+    return fma3(color, weight * power, specular);
+}
+
+/* The specular lobe of a light in direction l, of this length. */
+TL_INLINE vec3
+add_highlight(vec3 specular, surface s, tl_view_light light, vec3 l, real length, real seen)
+{
+    const half_angle a = highlight_angle(s, l, length);
+    return add_specular(specular, light, pick(a.above, seen, R(0.0)),
+                        exp2_of_negative(log2_of_power(a.cos2, a.sin2, s.shininess)));
 }
 
 /* The weight of a light at a distance. Uniform branches: every lane has the same light. */
@@ -68,25 +85,39 @@ fade_of(tl_needs needs, tl_view_light light, real distance2, real distance, real
     return fade_inverse_square(distance2, per_distance, light.fade);
 }
 
-/* A point light with a range. A lane adds exactly 0 unless it is within reach itself and the light
- * is above its surface: which other pixels share the vector must not show in the image. So the
- * early return is a shortcut and nothing else. A light in the surface point itself, where no
- * direction exists, adds 0. */
+/* Whether a light with a range may add to a lane; it adds exactly 0 to all others. For short cuts. */
+TL_INLINE mask may_be_lit(tl_view_light light, approach a)
+{
+    return reaches(light, a.distance2) & (a.facing > R(0.0));
+}
+
+/* A point light with a range: its diffuse lobe. A lane adds exactly 0 unless it is within reach itself
+ * and the light is above its surface: which other pixels share the vector must not show in the
+ * image. A light in the surface point itself, where no direction exists, adds 0. */
+TL_INLINE vec3 add_ranged_diffuse(
+    vec3 diffuse, tl_needs needs, tl_view_light light, approach a, real *distance, real *seen)
+{
+    *distance = SQRT(a.distance2);
+    const real per_distance = R(1.0) / *distance;
+    const mask lit = reaches(light, a.distance2) & (a.distance2 > TL_LEAST_DISTANCE2);
+    return add_diffuse(diffuse, light, a.facing * per_distance,
+                       fade_of(needs, light, a.distance2, *distance, per_distance), lit, seen);
+}
+
 TL_INLINE received add_ranged_light(received sum,
                                     tl_needs needs,
                                     surface s,
                                     tl_view_light light)
 {
     const vec3 l = vector_to_light(s.position, light);
-    const real distance2 = dot3(l, l);
-    const mask within = reaches(light, distance2);
-    if (!any_lane(within))
+    const approach a = approach_of(s, l);
+    real distance, seen;
+    if (!any_lane(may_be_lit(light, a)))
         return sum;
-    const real distance = SQRT(distance2);
-    const real per_distance = R(1.0) / distance;
-    const real weight = fade_of(needs, light, distance2, distance, per_distance);
-    return add_lobes(sum, needs, s, light, l, distance, per_distance, weight,
-                     within & (distance2 > TL_LEAST_DISTANCE2));
+    sum.diffuse = add_ranged_diffuse(sum.diffuse, needs, light, a, &distance, &seen);
+    if (needs.specular)
+        sum.specular = add_highlight(sum.specular, s, light, l, distance, seen);
+    return sum;
 }
 
 /* A light that reaches everything: directional, or a point light without a range. */
@@ -95,18 +126,21 @@ TL_INLINE received add_global_light(received sum,
                                     surface s,
                                     tl_view_light light)
 {
-    if (light.falloff == TL_FADE_NONE) {
-        const vec3 l = {(real)light.position[0], (real)light.position[1],
-                        (real)light.position[2]};
-        return add_lobes(sum, needs, s, light, l, (real)R(1.0), (real)R(1.0), (real)R(1.0),
-                         s.position.z == s.position.z);
-    }
-    const vec3 l = vector_to_light(s.position, light);
-    const real distance2 = dot3(l, l);
-    const real distance = SQRT(distance2);
+    const int is_directional = light.falloff == TL_FADE_NONE;
+    const vec3 direction = {(real)light.position[0], (real)light.position[1],
+                            (real)light.position[2]};
+    const vec3 l = is_directional ? direction : vector_to_light(s.position, light);
+    const approach a = approach_of(s, l);
+    const real distance = is_directional ? (real)R(1.0) : SQRT(a.distance2);
     const real per_distance = R(1.0) / distance;
-    return add_lobes(sum, needs, s, light, l, distance, per_distance,
-                     fade_inverse_square(distance2, per_distance, R(0.0)), distance2 > R(0.0));
+    const real weight =
+        is_directional ? (real)R(1.0) : fade_inverse_square(a.distance2, per_distance, R(0.0));
+    real seen;
+    sum.diffuse = add_diffuse(sum.diffuse, light, a.facing * per_distance, weight,
+                              a.distance2 > R(0.0), &seen);
+    if (needs.specular)
+        sum.specular = add_highlight(sum.specular, s, light, l, distance, seen);
+    return sum;
 }
 
 #endif

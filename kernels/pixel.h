@@ -22,7 +22,7 @@ TL_INLINE phong_material material_of(tl_needs needs, pixel of)
 }
 
 TL_INLINE surface surface_of(
-    const tl_frame *frame, tl_needs needs, pixel of, real shininess, real column, scalar row)
+    const tl_frame *frame, tl_needs needs, pixel of, real shininess, real column, real row)
 {
     surface s;
     s.position = view_position(frame->rays, needs, column, row, of.depth);

@@ -1,17 +1,29 @@
-/* Shading: one work-item per tile, vectors of pixels, the light loop innermost.
+/* Shading: one work-item per tile, blocks of pixels as vectors, the light loop innermost.
  *
  * PoCL vectorises innermost loops only, and would have to choose the light loop; so the vectors
  * are explicit. No barrier, no local memory: work-groups are one work-item. Lights add up in
- * index order, so the image does not depend on scheduling. */
+ * index order, so the image does not depend on scheduling.
+ *
+ * A light on a block is a chain of some 200 cycles of latency in some 130 instructions, and a
+ * processor's schedulers hold some 200 instructions: one light after another would run at half a
+ * pipeline. So the chain is cut into loops over the block's lights, each short enough that several
+ * iterations are in flight, with what passes between them in memory (L1). Measured on Zen 5, per
+ * frame: one loop 31 ms, three 27 ms, five 24 ms; keeping the squared distance 23 ms; surfaces of
+ * a row of blocks first 22.5 ms.
+ *
+ * Floor, AVX-512 with two multiply-add pipes: per listed light and block 6 of these instructions,
+ * 3 cycles; per kept one 53, and a root and two divisions that block one of the pipes for 10
+ * cycles: 32 cycles. */
+#include "block.h"
 #include "pixel.h"
 
 #define PLANE_AT(plane) (in + TL_SLOT(TL_PRESENT, plane) * plane_size)
-#define LOAD_PLANE(plane) LOAD(PLANE_AT(plane), 0)
+#define LOAD_PLANE(plane) load_block(PLANE_AT(plane), pitch)
 #define LOAD_IF(group, plane, otherwise) \
     ((TL_PRESENT & (group)) ? LOAD_PLANE(plane) : (real)(otherwise))
 
-/* in: the pixel's first plane; planes are plane_size floats apart. */
-TL_INLINE pixel load_pixel(__global const float *in, size_t plane_size)
+/* in: the block in the first plane; planes are plane_size floats apart. */
+TL_INLINE pixel load_pixel(__global const float *in, size_t plane_size, uint pitch)
 {
     pixel p;
     p.depth = LOAD_PLANE(TL_DEPTH);
@@ -34,6 +46,77 @@ TL_INLINE pixel load_pixel(__global const float *in, size_t plane_size)
     return p;
 }
 
+/* A row of blocks in the largest tile, 64 px. */
+#define MOST_BLOCKS (64 / BLOCK_COLUMNS)
+
+/* Asks for the same rows of the tile to the right, which is lit next as a rule: a processor's own
+ * prefetching does not follow a line of 64 bytes in each of dozens of rows. */
+TL_INLINE void ask_for_next(__global const float *planes,
+                            __global const float *radiance,
+                            const tl_frame *frame)
+{
+    const size_t plane_size = (size_t)frame->rows * frame->pitch;
+    for (uint row = 0; row < BLOCK_ROWS; row++)
+        for (uint column = 0; column < frame->tile_size; column += FLOATS_PER_LINE) {
+            const size_t at = row * frame->pitch + frame->tile_size + column;
+            for (uint plane = 0; plane < popcount(TL_PRESENT); plane++)
+                PREFETCH(planes + plane * plane_size + at, 0);
+            for (uint plane = 0; plane < 3; plane++)
+                PREFETCH(radiance + plane * plane_size + at, 1);
+        }
+}
+
+/* Lights of a list that are taken through the loops together: the arrays below stay in L1. */
+#define LIGHTS_AT_ONCE 64
+
+/* Adds lights list[0] to list[count - 1], count up to LIGHTS_AT_ONCE: the steps of kernels/light.h's
+ * add_ranged_light, each for all of them. What one loop leaves to the next stands where that has
+ * read: the fewer lines of L1 it takes, the better (x 1.03). */
+TL_INLINE received add_listed_lights(received sum,
+                                     tl_needs needs,
+                                     surface s,
+                                     __global const tl_view_light *lights,
+                                     __global const uint *list,
+                                     uint count)
+{
+    uint kept[LIGHTS_AT_ONCE], kept_count = 0;
+    real reach[LIGHTS_AT_ONCE]; /* squared distance, then distance */
+    real seen
+        [LIGHTS_AT_ONCE]; /* facing, then weight where the light is above, and the half vector */
+    real cos2[LIGHTS_AT_ONCE], sin2[LIGHTS_AT_ONCE]; /* of the half vector */
+    real log2_of[LIGHTS_AT_ONCE];                    /* the lobe */
+
+    /* Those that may add anything; without a branch, for which they are is not predictable. */
+    for (uint i = 0; i < count; i++) {
+        const tl_view_light light = lights[list[i]];
+        const approach a = approach_of(s, vector_to_light(s.position, light));
+        kept[kept_count] = list[i];
+        reach[kept_count] = a.distance2;
+        seen[kept_count] = a.facing;
+        kept_count += any_lane(may_be_lit(light, a));
+    }
+    for (uint i = 0; i < kept_count; i++) {
+        const approach a = {reach[i], seen[i]};
+        sum.diffuse =
+            add_ranged_diffuse(sum.diffuse, needs, lights[kept[i]], a, &reach[i], &seen[i]);
+    }
+    if (!needs.specular)
+        return sum;
+    for (uint i = 0; i < kept_count; i++) {
+        const vec3 l = vector_to_light(s.position, lights[kept[i]]);
+        const half_angle a = highlight_angle(s, l, reach[i]);
+        seen[i] = pick(a.above, seen[i], R(0.0));
+        cos2[i] = a.cos2;
+        sin2[i] = a.sin2;
+    }
+    for (uint i = 0; i < kept_count; i++)
+        log2_of[i] = log2_of_power(cos2[i], sin2[i], s.shininess);
+    for (uint i = 0; i < kept_count; i++)
+        sum.specular =
+            add_specular(sum.specular, lights[kept[i]], seen[i], exp2_of_negative(log2_of[i]));
+    return sum;
+}
+
 /* planes    [popcount(TL_PRESENT)][rows][pitch], planes.h
  * lights    [light_count]: first the global_count that reach everything
  * starts, ends  [tiles_y * tiles_x]: tile t lists list[starts[t]] to list[ends[t] - 1], ascending
@@ -54,27 +137,35 @@ __kernel void shade_tiles(const tl_frame frame,
     const size_t plane_size = (size_t)frame.rows * frame.pitch;
     const tl_needs needs = needs_of_build();
 
-    for (uint row = row0; row < row0 + frame.tile_size; row++) {
-        for (uint column = column0; column < column0 + frame.tile_size; column += TL_WIDTH) {
-            const size_t at = (size_t)(frame.buffer_row + row) * frame.pitch + column;
-            const pixel in = load_pixel(planes + at, plane_size);
-            const phong_material m = material_of(needs, in);
-            const surface s =
-                surface_of(&frame, needs, in, m.shininess, (scalar)column + LANE_INDEX,
-                           (scalar)(frame.first_row + row));
+    surface surfaces[MOST_BLOCKS];
 
+    for (uint row = row0; row < row0 + frame.tile_size; row += BLOCK_ROWS) {
+        const size_t first = (size_t)(frame.buffer_row + row) * frame.pitch + column0;
+        ask_for_next(planes + first, radiance + first, &frame);
+        for (uint b = 0; b < frame.tile_size / BLOCK_COLUMNS; b++) {
+            const uint column = column0 + b * BLOCK_COLUMNS;
+            const pixel in =
+                load_pixel(planes + first + b * BLOCK_COLUMNS, plane_size, frame.pitch);
+            surfaces[b] = surface_of(&frame, needs, in, material_of(needs, in).shininess,
+                                     (scalar)column + LANE_COLUMN,
+                                     (scalar)(frame.first_row + row) + LANE_ROW);
+        }
+        for (uint b = 0; b < frame.tile_size / BLOCK_COLUMNS; b++) {
+            const size_t at = first + b * BLOCK_COLUMNS;
+            const surface s = surfaces[b];
             received sum = {{0, 0, 0}, {0, 0, 0}};
-            if (any_lane(in.depth < (real)INFINITY)) {
+            if (any_lane(s.position.z > (real)-INFINITY)) {
                 for (uint i = 0; i < frame.global_count; i++)
                     sum = add_global_light(sum, needs, s, lights[i]);
-                for (uint i = start; i < end; i++)
-                    sum = add_ranged_light(sum, needs, s, lights[list[i]]);
+                for (uint i = start; i < end; i += LIGHTS_AT_ONCE)
+                    sum = add_listed_lights(sum, needs, s, lights, list + i,
+                                            min(end - i, (uint)LIGHTS_AT_ONCE));
             }
-
-            const vec3 out = radiance_of(&frame, needs, in, m, sum);
-            STORE_FLOAT(out.x, radiance, at);
-            STORE_FLOAT(out.y, radiance, plane_size + at);
-            STORE_FLOAT(out.z, radiance, 2 * plane_size + at);
+            const pixel in = load_pixel(planes + at, plane_size, frame.pitch);
+            const vec3 out = radiance_of(&frame, needs, in, material_of(needs, in), sum);
+            store_block(out.x, radiance + at, frame.pitch);
+            store_block(out.y, radiance + plane_size + at, frame.pitch);
+            store_block(out.z, radiance + 2 * plane_size + at, frame.pitch);
         }
     }
 }

@@ -1,0 +1,83 @@
+/* A vector of pixels as a block of the picture, as square as it goes: the squarer, the fewer blocks
+ * a light's edge crosses. Lanes are the block's pixels row by row. OpenCL only. */
+#ifndef TL_BLOCK_H
+#define TL_BLOCK_H
+
+#include "dialect.h"
+
+#if TL_WIDTH == 16
+#    define BLOCK_COLUMNS 4
+#    define BLOCK_ROWS 4
+#    define LANE_COLUMN ((real)(0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3))
+#    define LANE_ROW ((real)(0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3))
+#    define JOIN_ROWS(row) ((float16)(row(0), row(1), row(2), row(3)))
+#elif TL_WIDTH == 8
+#    define BLOCK_COLUMNS 4
+#    define BLOCK_ROWS 2
+#    define LANE_COLUMN ((real)(0, 1, 2, 3, 0, 1, 2, 3))
+#    define LANE_ROW ((real)(0, 0, 0, 0, 1, 1, 1, 1))
+#    define JOIN_ROWS(row) ((float8)(row(0), row(1)))
+#elif TL_WIDTH == 4
+#    define BLOCK_COLUMNS 4
+#    define BLOCK_ROWS 1
+#    define LANE_COLUMN ((real)(0, 1, 2, 3))
+#    define LANE_ROW ((real)0)
+#    define JOIN_ROWS(row) (row(0))
+#else
+#    define BLOCK_COLUMNS 1
+#    define BLOCK_ROWS 1
+#    define LANE_COLUMN ((real)0)
+#    define LANE_ROW ((real)0)
+#endif
+
+/* Asks for the line at a global address, to be read (0) or written (1). OpenCL's prefetch() does
+ * nothing on PoCL; where all address spaces are one, the compiler's own works. */
+#if defined(__clang__) && (defined(__x86_64__) || defined(__aarch64__))
+#    define PREFETCH(at, is_written) \
+        __builtin_prefetch((const __private void *)(size_t)(at), is_written)
+#else
+#    define PREFETCH(at, is_written) ((void)(at))
+#endif
+#define FLOATS_PER_LINE 16
+
+/* `from` and `to` are the block's first pixel in a plane of `pitch` floats a row. */
+#if TL_WIDTH == 1
+TL_INLINE real load_block(__global const float *from, uint pitch)
+{
+    (void)pitch;
+    return (real)*from;
+}
+
+TL_INLINE void store_block(real v, __global float *to, uint pitch)
+{
+    (void)pitch;
+    *to = (float)v;
+}
+#else
+TL_INLINE real load_block(__global const float *from, uint pitch)
+{
+    (void)pitch; /* a block of one row */
+#    define ROW(i) vload4(0, from + (size_t)(i)*pitch)
+    return TO_REAL(JOIN_ROWS(ROW));
+#    undef ROW
+}
+
+TL_INLINE void store_block(real v, __global float *to, uint pitch)
+{
+    const TL_LANES(float) f = TL_LANES(convert_float)(v);
+#    if TL_WIDTH == 16
+    vstore4(f.s0123, 0, to);
+    vstore4(f.s4567, 0, to + pitch);
+    vstore4(f.s89ab, 0, to + 2 * (size_t)pitch);
+    vstore4(f.scdef, 0, to + 3 * (size_t)pitch);
+#    elif TL_WIDTH == 8
+    vstore4(f.lo, 0, to);
+    vstore4(f.hi, 0, to + pitch);
+#    else
+    (void)pitch;
+    vstore4(f, 0, to);
+#    endif
+}
+#endif
+
+#endif
