@@ -35,7 +35,7 @@ typedef struct tl_bench_case {
 typedef struct tl_bench_axis {
     const char *name;    /* of the option, without dashes; the key in JSON, the column in CSV */
     const char *values;  /* what the option takes, for the help */
-    const char *meaning; /* a sentence without its end */
+    const char *meaning; /* a sentence, without its full stop unless it has several */
     const char *usual;   /* the word it has unless told otherwise */
     /* Fails with TL_ERR_ARGUMENT, naming the option and what it accepts. */
     tl_status (*set)(tl_bench_case *of, const char *word, tl_error *err);

@@ -3,11 +3,9 @@
 #include "json_values.h"
 #include "pair_flops.h"
 
-enum { FORMAT_VERSION = 1 };
-
 json_t *tl_bench_json_begin(const tl_machine *machine)
 {
-    return json_pack("{si s{ss si so}}", "tilelight_bench", FORMAT_VERSION, "machine",
+    return json_pack("{si s{ss si so}}", "tilelight_bench", TL_BENCH_JSON_VERSION, "machine",
                      "processor", machine->processor, "threads", (int)machine->threads,
                      "load_before", tl_json_number(machine->load));
 }

@@ -7,6 +7,8 @@
 
 #include <jansson.h>
 
+enum { TL_BENCH_JSON_VERSION = 1 };
+
 /* What every report of the bench begins with: version of the format, machine. */
 json_t *tl_bench_json_begin(const tl_machine *machine);
 

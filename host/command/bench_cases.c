@@ -4,6 +4,7 @@
 #include "bench_json.h"
 #include "bench_session.h"
 #include "bench_table.h"
+#include "comparison.h"
 #include "console.h"
 #include "json_values.h"
 #include "try.h"
@@ -106,31 +107,119 @@ done:
     return status;
 }
 
+/* All zero to begin with. */
+typedef struct compared {
+    json_t *report;             /* the earlier one; NULL: nothing to compare with */
+    tl_comparison *comparisons; /* [cases.count] */
+    size_t slower_count;
+} compared;
+
+static void warn_of_other_machine(const bench_session *s, const json_t *report)
+{
+    const json_t *machine = json_object_get(report, "machine");
+    const char *processor = json_string_value(json_object_get(machine, "processor"));
+    const json_int_t threads = json_integer_value(json_object_get(machine, "threads"));
+    if (processor && (strcmp(processor, s->machine.processor) != 0 ||
+                      threads != (json_int_t)s->machine.threads))
+        tl_notice(&console_notices,
+                  "%s is of another machine: %s with %lld threads, this one is %s with %u",
+                  s->options->compare, processor, (long long)threads, s->machine.processor,
+                  s->machine.threads);
+}
+
+static tl_status begin_comparing(const bench_session *s, compared *c, tl_error *err)
+{
+    tl_status status = TL_OK;
+    if (!s->options->compare)
+        goto done;
+    TRY(tl_bench_report_read(s->options->compare, &c->report, err));
+    warn_of_other_machine(s, c->report);
+done:
+    return status;
+}
+
+static void print_comparison(FILE *out, const tl_bench_record *record, const tl_comparison *c)
+{
+    char title[512];
+    tl_bench_case_title(&record->of, title, sizeof title);
+    if (c->verdict == TL_NEW) {
+        fprintf(out, "%-34s %9s %9.2f %34s %s\n", title, "-", c->now_ms, "",
+                tl_verdict_words[c->verdict]);
+        return;
+    }
+    fprintf(out, "%-34s %9.2f %9.2f %7.3f %16.3f to %5.3f  %s\n", title, c->before_ms,
+            c->now_ms, c->ratio, c->low, c->high, tl_verdict_words[c->verdict]);
+}
+
+static tl_status compare_all(const bench_session *s,
+                             const tl_bench_record *records,
+                             compared *c,
+                             tl_error *err)
+{
+    tl_status status = TL_OK;
+    if (!c->report)
+        goto done;
+    c->comparisons = calloc(s->cases.count, sizeof *c->comparisons);
+    if (!c->comparisons)
+        TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for comparisons"));
+    if (s->table)
+        fprintf(s->table, "\n%-34s %9s %9s %7s %25s  %s\n", "against the report", "before ms",
+                "now ms", "ratio", "interval", "verdict");
+    for (size_t i = 0; i < s->cases.count; i++) {
+        TRY(tl_compare_record(c->report, s->options->compare, &records[i],
+                              s->options->threshold, &c->comparisons[i], err));
+        c->slower_count += c->comparisons[i].verdict == TL_SLOWER;
+        if (s->table)
+            print_comparison(s->table, &records[i], &c->comparisons[i]);
+    }
+done:
+    return status;
+}
+
 static tl_status write_json(const bench_session *s,
                             const tl_bench_record *records,
+                            const compared *c,
                             tl_error *err)
 {
     if (!s->options->json)
         return TL_OK;
     json_t *report = tl_bench_json_begin(&s->machine), *array = json_array();
-    for (size_t i = 0; i < s->cases.count; i++)
-        json_array_append_new(array, tl_bench_json_record(&records[i]));
+    for (size_t i = 0; i < s->cases.count; i++) {
+        json_t *record = tl_bench_json_record(&records[i]);
+        if (c->comparisons)
+            json_object_set_new(record, "comparison", tl_comparison_json(&c->comparisons[i]));
+        json_array_append_new(array, record);
+    }
     json_object_set_new(report, "records", array);
     return tl_json_write(s->options->json, report, err);
+}
+
+static tl_status judge(const bench_session *s, const compared *c, tl_error *err)
+{
+    if (!s->options->fail_if_slower || c->slower_count == 0)
+        return TL_OK;
+    return tl_fail(err, TL_ERR_DIFFERENT, "%zu of %zu cases are slower than in %s",
+                   c->slower_count, s->cases.count, s->options->compare);
 }
 
 tl_status bench_run_cases(bench_session *s, tl_error *err)
 {
     tl_status status = TL_OK;
     tl_bench_record *records = NULL;
+    compared c = {0};
     TRY(choose_cases(s, err));
+    TRY(begin_comparing(s, &c, err));
     records = calloc(s->cases.count, sizeof *records);
     if (!records)
         TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for records"));
     TRY(measure(s, records, err));
+    TRY(compare_all(s, records, &c, err));
     TRY(write_csv(s, records, err));
-    TRY(write_json(s, records, err));
+    TRY(write_json(s, records, &c, err));
+    TRY(judge(s, &c, err));
 done:
+    json_decref(c.report);
+    free(c.comparisons);
     free(records);
     return status;
 }

@@ -18,14 +18,17 @@ enum {
     OPTION_QUICK,
     OPTION_LIST,
     OPTION_CSV,
-    OPTION_JSON
+    OPTION_JSON,
+    OPTION_COMPARE,
+    OPTION_THRESHOLD,
+    OPTION_FAIL
 };
 
 enum { MOST_OPTIONS = TL_AXIS_COUNT + 32 };
 
 bench_options bench_options_default(void)
 {
-    return (bench_options){.rule = tl_sampling_rule_default()};
+    return (bench_options){.rule = tl_sampling_rule_default(), .threshold = 0.05};
 }
 
 static void check_together(const bench_options *options, struct argp_state *state)
@@ -35,8 +38,10 @@ static void check_together(const bench_options *options, struct argp_state *stat
         argp_error(state, "--csv - and --json - both want standard output");
     if (options->quick && options->mode != BENCH_BASELINES)
         argp_error(state, "--quick is for --baselines");
-    if (options->mode != BENCH_CASES && (options->csv || options->sets))
-        argp_error(state, "--csv and --case are for cases, not for --baselines");
+    if (options->mode != BENCH_CASES && (options->csv || options->sets || options->compare))
+        argp_error(state, "--csv, --case and --compare are for cases");
+    if (options->fail_if_slower && !options->compare)
+        argp_error(state, "--fail-if-slower is for --compare");
 }
 
 static error_t parse(int key, char *text, struct argp_state *state)
@@ -65,6 +70,11 @@ static error_t parse(int key, char *text, struct argp_state *state)
     case OPTION_LIST: options->mode = BENCH_LIST; return 0;
     case OPTION_CSV: options->csv = text; return 0;
     case OPTION_JSON: options->json = text; return 0;
+    case OPTION_COMPARE: options->compare = text; return 0;
+    case OPTION_THRESHOLD:
+        options->threshold = 0.01 * value_number(state, "--threshold", text, 0.1, 1000.0);
+        return 0;
+    case OPTION_FAIL: options->fail_if_slower = true; return 0;
     case 'q':
         options->quiet = true;
         console_quiet(true);
@@ -98,6 +108,15 @@ static const struct argp_option fixed_options[] = {
     {"json", OPTION_JSON, "FILE", 0, "All there is, as one JSON object (- is standard output)",
      4},
     {"csv", OPTION_CSV, "FILE", 0, "A line a case (- is standard output)", 4},
+    {"compare", OPTION_COMPARE, "FILE", 0,
+     "Say of each case whether it is faster, slower or the same as in a report that --json "
+     "wrote, "
+     "or undecided. The intervals of both medians make one of their ratio: faster or slower "
+     "where "
+     "all of it is beyond the threshold, the same where all of it is within",
+     4},
+    {"threshold", OPTION_THRESHOLD, "PERCENT", 0, "Of --compare (default 5)", 4},
+    {"fail-if-slower", OPTION_FAIL, NULL, 0, "Exit with status 1 where a case is slower", 4},
     {"list", OPTION_LIST, NULL, 0,
      "Describe axes, sets of cases, scenes and baselines; measure nothing", 5},
     {"quiet", 'q', NULL, 0, "No table and no progress; errors are still said", 5},

@@ -20,6 +20,9 @@ typedef struct bench_options {
     bool quick; /* baselines: those above a second once */
     bool quiet;
     const char *csv, *json; /* where to; NULL: nowhere */
+    const char *compare;    /* an earlier report; NULL: none */
+    double threshold;       /* of --compare: 0.05 is 5 % */
+    bool fail_if_slower;
 } bench_options;
 
 bench_options bench_options_default(void);

@@ -1,0 +1,180 @@
+/* Does `tilelight bench` measure a tiny case, and say all that it knows of it, in every form? */
+#define _GNU_SOURCE
+#include "program.h"
+
+#include <jansson.h>
+
+static json_t *read_json(const char *path)
+{
+    json_error_t error;
+    json_t *root = json_load_file(path, 0, &error);
+    if (!root)
+        fail_msg("%s: line %d: %s", path, error.line, error.text);
+    return root;
+}
+
+/* The value at "a.b.0.c". */
+static const json_t *at(const json_t *root, const char *path)
+{
+    char copy[256], *rest = copy;
+    snprintf(copy, sizeof copy, "%s", path);
+    for (const char *name; root && (name = strsep(&rest, "."));)
+        root = json_is_array(root) ? json_array_get(root, (size_t)atoi(name))
+                                   : json_object_get(root, name);
+    if (!root)
+        fail_msg("%s is missing", path);
+    return root;
+}
+
+static double number_at(const json_t *root, const char *path)
+{
+    const json_t *value = at(root, path);
+    if (!json_is_number(value))
+        fail_msg("%s is no number", path);
+    return json_number_value(value);
+}
+
+static void assert_summary(const json_t *root, const char *path, double samples)
+{
+    char name[256];
+    const char *const keys[] = {"least", "interval.0", "median", "interval.1", "p90"};
+    double values[COUNT_OF(keys)];
+    for (size_t i = 0; i < COUNT_OF(keys); i++) {
+        snprintf(name, sizeof name, "%s.%s", path, keys[i]);
+        values[i] = number_at(root, name);
+    }
+    for (int i = 0; i < 3; i++) /* p90 may lie below the interval's end */
+        if (!(values[i] <= values[i + 1]))
+            fail_msg("%s: %s is above %s", path, keys[i], keys[i + 1]);
+    snprintf(name, sizeof name, "%s.samples", path);
+    assert_true(number_at(root, name) == samples);
+}
+
+static void cases_are_recorded(void **state)
+{
+    static const char *const numbers[] = {"peaks.gflop_per_s",
+                                          "peaks.read_gbyte_per_s",
+                                          "peaks.copy_gbyte_per_s",
+                                          "first_frame_ms",
+                                          "build_ms",
+                                          "frame.range_m",
+                                          "frame.tiles",
+                                          "frame.device_bytes",
+                                          "figures.ns_per_pair",
+                                          "figures.ns_per_lit_pair",
+                                          "figures.mpixel_per_s",
+                                          "figures.share_of_peak_flops",
+                                          "figures.share_of_peak_bytes"};
+    (void)state;
+    expect_run("$T bench --size 64x64 --lights 8 --tile 8,16 --samples 6 --seconds 0 "
+               "--json a.json --csv a.csv",
+               0, "ns/pair", "");
+    json_t *root = read_json("a.json");
+    assert_int_equal(json_array_size(at(root, "records")), 2);
+    for (int i = 0; i < 2; i++) {
+        char path[128];
+        snprintf(path, sizeof path, "records.%d", i);
+        const json_t *record = at(root, path);
+        assert_string_equal(json_string_value(at(record, "case.tile")), i ? "16" : "8");
+        assert_string_equal(json_string_value(at(record, "case.scene")), "spheres");
+        assert_non_null(json_string_value(at(record, "device.driver")));
+        for (size_t k = 0; k < COUNT_OF(numbers); k++)
+            assert_true(number_at(record, numbers[k]) >= 0.0);
+        assert_summary(record, "times_ms.frame", 6.0);
+        assert_summary(record, "times_ms.kernel_shade", 6.0);
+        assert_summary(record, "times_ms.post", 6.0);
+        assert_summary(record, "times_ms.stages.shade", 6.0);
+        /* 64 x 64 pixels: whole tiles, so what is listed bounds what is in range, and that what
+         * is lit. */
+        const double culled = number_at(record, "pairs.culled");
+        assert_true(culled == number_at(record, "frame.list_entries") * (i ? 256.0 : 64.0));
+        assert_true(number_at(record, "pairs.in_range") <= culled);
+        assert_true(number_at(record, "pairs.lit") <= number_at(record, "pairs.in_range"));
+        assert_true(number_at(record, "pairs.lit") > 0.0);
+    }
+    json_decref(root);
+}
+
+static void csv_has_a_value_per_name(void **state)
+{
+    static char text[65536];
+    size_t commas[3] = {0}, line = 0;
+    (void)state;
+    read_text("a.csv", text, sizeof text);
+    assert_memory_equal(text, "device,scene,size,lights,", 25);
+    for (const char *c = text; *c && line < 3; c++) {
+        commas[line] += *c == ',';
+        line += *c == '\n';
+    }
+    assert_int_equal(line, 3);
+    assert_int_equal(commas[1], commas[0]);
+    assert_int_equal(commas[2], commas[0]);
+}
+
+/* Against itself made a thousand times faster: slower, and said by the exit status if asked for. */
+static void slower_cases_are_found(void **state)
+{
+    (void)state;
+    json_t *root = read_json("a.json");
+    for (size_t i = 0; i < 2; i++) {
+        json_t *frame = json_object_get(
+            json_object_get(json_array_get(json_object_get(root, "records"), i), "times_ms"),
+            "frame");
+        json_object_set_new(frame, "median", json_real(1e-4));
+        json_object_set_new(frame, "interval", json_pack("[ff]", 0.9e-4, 1.1e-4));
+    }
+    assert_int_equal(json_dump_file(root, "fast.json", 0), 0);
+    json_decref(root);
+    expect_run("$T bench --size 64x64 --lights 8 --tile 8 --seconds 0 --compare fast.json", 0,
+               "slower", "");
+    expect_run("$T bench --size 64x64 --lights 8 --tile 8,32 --seconds 0 --compare fast.json "
+               "--fail-if-slower --json b.json",
+               1, "", "1 of 2 cases are slower than in fast.json");
+    root = read_json("b.json");
+    assert_string_equal(json_string_value(at(root, "records.0.comparison.verdict")), "slower");
+    assert_string_equal(json_string_value(at(root, "records.1.comparison.verdict")), "new");
+    json_decref(root);
+}
+
+static void ratios_have_their_keys(void **state)
+{
+    (void)state;
+    expect_run("$T bench --baselines --quick --size 64x64 --lights 8 --seconds 0 --json r.json",
+               0, "hand_relaxed", "");
+    json_t *root = read_json("r.json");
+    assert_summary(root, "ratios.hand", 10.0);
+    assert_summary(root, "ratios.hand_relaxed", 10.0);
+    assert_true(number_at(root, "hand_relaxed_ns_per_pair") > 0.0);
+    assert_true(json_is_true(at(root, "ratios.hand.same_picture")));
+    json_decref(root);
+}
+
+static void standard_output_is_the_report_alone(void **state)
+{
+    (void)state;
+    const program_run *run =
+        expect_run("$T bench --size 64x64 --lights 8 --seconds 0 --json -", 0, "records", "");
+    json_error_t error;
+    json_t *root = json_loads(run->out, 0, &error);
+    assert_non_null(root);
+    json_decref(root);
+}
+
+static int enter_folder(void **state)
+{
+    (void)state;
+    enter_empty_folder("command-bench");
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(cases_are_recorded),
+        cmocka_unit_test(csv_has_a_value_per_name),
+        cmocka_unit_test(slower_cases_are_found),
+        cmocka_unit_test(ratios_have_their_keys),
+        cmocka_unit_test(standard_output_is_the_report_alone),
+    };
+    return cmocka_run_group_tests(tests, enter_folder, NULL);
+}
