@@ -20,7 +20,7 @@
 #include "tile_rect.h"
 
 /* Six values per box, as planes of [tiles_y][box_pitch] scalars. */
-enum { LOW_X, LOW_Y, LOW_Z, HIGH_X, HIGH_Y, HIGH_Z };
+enum { LOW_X, LOW_Y, LOW_Z, HIGH_X, HIGH_Y, HIGH_Z, VALUES };
 
 #define MIN_HALVES(v) min((v).lo, (v).hi)
 #define MAX_HALVES(v) max((v).lo, (v).hi)
@@ -36,9 +36,13 @@ enum { LOW_X, LOW_Y, LOW_Z, HIGH_X, HIGH_Y, HIGH_Z };
 #    define STORE_INTS(v, to) TL_LANES(vstore)(v, 0, to)
 #endif
 
-TL_INLINE box cube(scalar low, scalar high)
+typedef struct tile_box {
+    scalar low[3], high[3]; /* as a box, for one tile */
+} tile_box;
+
+TL_INLINE tile_box empty_box(void)
 {
-    const box b = {{low, low, low}, {high, high, high}};
+    const tile_box b = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
     return b;
 }
 
@@ -48,58 +52,89 @@ TL_INLINE void include(real *low, real *high, mask covered, real value)
     *high = pick(covered & (value > *high), value, *high);
 }
 
-/* One box per lane; together they hold every position that shading computes in the tile. x is
- * monotone in depth along a column, rounded or not: the ends of its depths are the ends of its x. */
-TL_INLINE box boxes_of_tile(const tl_frame *frame,
-                            __global const float *depths,
-                            uint column0,
-                            uint row0)
+/* A square of pixels of the plane of depths. */
+typedef struct pixels {
+    __global const float *depths; /* of the first */
+    uint column, row;             /* of the first: in the image, in the band */
+} pixels;
+
+/* The box of every position that shading computes where above < depth <= up_to, one per lane and then
+ * in all. x is monotone in depth along a column, rounded or not: the ends of a column's depths are
+ * the ends of its x. */
+TL_INLINE tile_box box_of_pixels(const tl_frame *frame, pixels of, scalar above, scalar up_to)
 {
     const tl_needs needs = needs_of_build();
-    box b = cube(INFINITY, -INFINITY);
-    for (uint column = column0; column < column0 + frame->tile_size; column += TL_WIDTH) {
-        const real columns = (scalar)column + LANE_INDEX;
+    vec3 low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
+    for (uint offset = 0; offset < frame->tile_size; offset += TL_WIDTH) {
+        const real columns = (scalar)(of.column + offset) + LANE_INDEX;
         real nearest = INFINITY, farthest = -INFINITY;
-        __global const float *from =
-            depths + (size_t)(frame->buffer_row + row0) * frame->pitch + column;
-        for (uint row = row0; row < row0 + frame->tile_size; row++, from += frame->pitch) {
+        __global const float *from = of.depths + offset;
+        for (uint row = 0; row < frame->tile_size; row++, from += frame->pitch) {
             const real depth = LOAD(from, 0);
-            const mask covered = depth < (real)INFINITY;
+            const mask within = (depth > above) & (depth <= up_to);
             const vec3 p = view_position(frame->rays, needs, columns,
-                                         (scalar)(frame->first_row + row), depth);
-            include(&nearest, &farthest, covered, depth);
-            include(&b.low.y, &b.high.y, covered, p.y);
+                                         (scalar)(frame->first_row + of.row + row), depth);
+            include(&nearest, &farthest, within, depth);
+            include(&low.y, &high.y, within, p.y);
         }
-        const mask covered = nearest < (real)INFINITY;
+        const mask any = nearest <= farthest;
         const vec3 near = view_position(frame->rays, needs, columns, 0, nearest);
         const vec3 far = view_position(frame->rays, needs, columns, 0, farthest);
-        include(&b.low.x, &b.high.x, covered, near.x);
-        include(&b.low.x, &b.high.x, covered, far.x);
-        include(&b.low.z, &b.high.z, covered, near.z);
-        include(&b.low.z, &b.high.z, covered, far.z);
+        include(&low.x, &high.x, any, near.x);
+        include(&low.x, &high.x, any, far.x);
+        include(&low.z, &high.z, any, near.z);
+        include(&low.z, &high.z, any, far.z);
     }
+    const tile_box b = {
+        {FOLD(MIN_HALVES, low.x), FOLD(MIN_HALVES, low.y), FOLD(MIN_HALVES, low.z)},
+        {FOLD(MAX_HALVES, high.x), FOLD(MAX_HALVES, high.y), FOLD(MAX_HALVES, high.z)}};
     return b;
 }
 
-/* surface: the plane TL_DEPTH. row_boxes: the row's, written in full; empty beyond its last tile. */
+TL_INLINE void store_box(tile_box b, __global scalar *to, size_t plane)
+{
+    to[LOW_X * plane] = b.low[0];
+    to[LOW_Y * plane] = b.low[1];
+    to[LOW_Z * plane] = b.low[2];
+    to[HIGH_X * plane] = b.high[0];
+    to[HIGH_Y * plane] = b.high[1];
+    to[HIGH_Z * plane] = b.high[2];
+}
+
+/* Deeper than wide and tall: surfaces that are apart, at an edge, or one seen at a grazing angle. Any
+ * answer is right; it decides where a second box is worth its time. */
+TL_INLINE int is_deep(tile_box b)
+{
+    const scalar wide = b.high[0] - b.low[0], tall = b.high[1] - b.low[1];
+    return b.high[2] - b.low[2] > max(wide, tall);
+}
+
+/* A tile at an edge spans near and far surfaces, and the lights between them would pass for reaching
+ * it: such a tile is halved at its middle depth, and each half has a box of its own. As every pixel
+ * is in one of the two, whatever the middle is, no pixel that a light reaches is missed.
+ *
+ * depths: the plane TL_DEPTH. row_boxes: the row's, written in full; empty beyond its last tile, and
+ * the second one of a tile for which one box does. */
 TL_INLINE void bound_row(const tl_frame *frame,
-                         __global const float *surface,
+                         __global const float *depths,
                          uint tile_row,
                          __global scalar *row_boxes)
 {
     const size_t plane = (size_t)frame->tiles_y * frame->box_pitch;
     for (uint tile = 0; tile < frame->box_pitch; tile++) {
-        box b = cube(INFINITY, -INFINITY);
+        tile_box near = empty_box(), far = empty_box();
+        const uint column = tile * frame->tile_size, row = tile_row * frame->tile_size;
+        const pixels of = {depths + (size_t)(frame->buffer_row + row) * frame->pitch + column,
+                           column, row};
         if (tile < frame->tiles_x)
-            b = boxes_of_tile(frame, surface, tile * frame->tile_size,
-                              tile_row * frame->tile_size);
-        __global scalar *to = row_boxes + tile;
-        to[LOW_X * plane] = FOLD(MIN_HALVES, b.low.x);
-        to[LOW_Y * plane] = FOLD(MIN_HALVES, b.low.y);
-        to[LOW_Z * plane] = FOLD(MIN_HALVES, b.low.z);
-        to[HIGH_X * plane] = FOLD(MAX_HALVES, b.high.x);
-        to[HIGH_Y * plane] = FOLD(MAX_HALVES, b.high.y);
-        to[HIGH_Z * plane] = FOLD(MAX_HALVES, b.high.z);
+            near = box_of_pixels(frame, of, -INFINITY, MAXFLOAT);
+        if (frame->box_count > 1 && is_deep(near)) {
+            const scalar middle = R(-0.5) * (near.low[2] + near.high[2]);
+            far = box_of_pixels(frame, of, middle, MAXFLOAT);
+            near = box_of_pixels(frame, of, -INFINITY, middle);
+        }
+        store_box(near, row_boxes + tile, plane);
+        store_box(far, row_boxes + VALUES * plane + tile, plane);
     }
 }
 
@@ -115,6 +150,16 @@ typedef struct tile_row {
     uint lights[TL_LIGHT_BLOCK];  /* which */
 } tile_row;
 
+TL_INLINE box load_boxes(__global const scalar *from, size_t plane)
+{
+    const vec3 low = {LOAD(from, LOW_X * plane), LOAD(from, LOW_Y * plane),
+                      LOAD(from, LOW_Z * plane)};
+    const vec3 high = {LOAD(from, HIGH_X * plane), LOAD(from, HIGH_Y * plane),
+                       LOAD(from, HIGH_Z * plane)};
+    const box b = {low, high};
+    return b;
+}
+
 /* Which of TL_WIDTH tiles from `tile` on light i may reach. */
 TL_INLINE mask reached_tiles(
     const tl_frame *frame, const tile_row *t, tl_view_light light, uint tile, int x0, int x1)
@@ -122,15 +167,16 @@ TL_INLINE mask reached_tiles(
     const size_t plane = (size_t)frame->tiles_y * frame->box_pitch;
     const real index = (scalar)tile + LANE_INDEX;
     const mask in_rect = (index >= (real)(scalar)x0) & (index < (real)(scalar)x1);
-    if (!frame->cull_depth)
+    if (frame->box_count == 0)
         return in_rect;
-    __global const scalar *from = t->boxes + tile;
-    const vec3 low = {LOAD(from, LOW_X * plane), LOAD(from, LOW_Y * plane),
-                      LOAD(from, LOW_Z * plane)};
-    const vec3 high = {LOAD(from, HIGH_X * plane), LOAD(from, HIGH_Y * plane),
-                       LOAD(from, HIGH_Z * plane)};
-    const box tiles = {low, high};
-    return in_rect & reaches_box(light, tiles);
+    const box near = load_boxes(t->boxes + tile, plane);
+    mask reached = reaches_box(light, near);
+    if (frame->box_count > 1) {
+        const box far = load_boxes(t->boxes + VALUES * plane + tile, plane);
+        if (any_lane(far.low.x <= far.high.x))
+            reached = reached | reaches_box(light, far);
+    }
+    return in_rect & reached;
 }
 
 /* Takes light i into the block and marks the tiles that it may reach. */
@@ -265,7 +311,7 @@ TL_INLINE uint interleaved(uint item, uint count)
 
 /* surface   [rows][pitch], m: the plane TL_DEPTH
  * lights    [light_count]; rects as light_rects leaves them
- * boxes     [6][tiles_y][box_pitch], scratch
+ * boxes     [2][6][tiles_y][box_pitch], scratch
  * counts    [tiles_y][box_pitch], scratch
  * bits      [tiles_y][TL_LIGHT_BLOCK / 32][box_pitch], scratch
  * starts, ends  [tiles_y * tiles_x]: where each tile's list stands; of no meaning if the lengths add
@@ -299,7 +345,7 @@ __kernel void cull_rows(const tl_frame frame,
     t.starts = starts + (size_t)row * frame.tiles_x;
     t.ends = ends + (size_t)row * frame.tiles_x;
 
-    if (frame.cull_depth)
+    if (frame.box_count > 0)
         bound_row(&frame, surface, row, boxes + padded);
     for (uint tile = 0; tile < frame.box_pitch; tile++)
         t.counts[tile] = 0;

@@ -24,7 +24,7 @@ typedef struct tl_frame {
     float ambient[3];            /* linear Rec. 709 */
     tl_u32 tile_size;            /* px: 8, 16, 32 or 64, at least the vector width */
     float sky[3];                /* radiance where nothing was hit */
-    tl_u32 cull_depth;           /* 1: lights are tested against the boxes of tiles */
+    tl_u32 box_count;            /* boxes per tile that lights are tested against: 0 to 2 */
     tl_u32 pitch, rows;          /* px; the planes are [rows][pitch] */
     tl_u32 tiles_x, tiles_y;     /* those of the band that hold pixels of the image */
     tl_u32 box_pitch;            /* boxes per row of tiles, tiles_x up to a multiple of 16 */
@@ -36,6 +36,8 @@ typedef struct tl_frame {
     tl_u32 unused[2];
 } tl_frame;
 TL_STATIC_ASSERT(sizeof(tl_frame) == 144, frame_is_nine_rows);
+
+#define TL_MAX_BOXES 2 /* per tile */
 
 /* Lights that a row of tiles is culled against at a time (cull_rows.cl): a multiple of 64. */
 #define TL_LIGHT_BLOCK 1024

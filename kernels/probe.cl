@@ -17,7 +17,7 @@ __kernel void probe_layout(__global uint *out)
     out[n++] = OFFSET(frame, ambient);
     out[n++] = OFFSET(frame, tile_size);
     out[n++] = OFFSET(frame, sky);
-    out[n++] = OFFSET(frame, cull_depth);
+    out[n++] = OFFSET(frame, box_count);
     out[n++] = OFFSET(frame, pitch);
     out[n++] = OFFSET(frame, rows);
     out[n++] = OFFSET(frame, tiles_x);

@@ -10,9 +10,18 @@
 static const struct {
     uint32_t width, height;
     tl_projection projection;
-} sizes[] = {{1, 1, TL_PERSPECTIVE},   {17, 9, TL_ORTHOGRAPHIC}, {1, 67, TL_PERSPECTIVE},
-             {130, 1, TL_PERSPECTIVE}, {64, 64, TL_PERSPECTIVE}, {61, 40, TL_PERSPECTIVE},
-             {61, 40, TL_ORTHOGRAPHIC}};
+    float behind; /* m: every third surface is that much farther, so tiles are all edges */
+} sizes[] = {{1, 1, TL_PERSPECTIVE, 0.0f},   {17, 9, TL_ORTHOGRAPHIC, 6.0f},
+             {1, 67, TL_PERSPECTIVE, 0.0f},  {130, 1, TL_PERSPECTIVE, 0.0f},
+             {64, 64, TL_PERSPECTIVE, 3.0f}, {61, 40, TL_PERSPECTIVE, 0.0f},
+             {61, 40, TL_ORTHOGRAPHIC, 0.0f}};
+
+static void push_back(tl_gbuffer *g, float behind)
+{
+    float *depths = tl_gbuffer_plane(g, TL_DEPTH);
+    for (size_t i = 0; i < (size_t)g->camera.width * g->camera.height; i += 3)
+        depths[i / g->camera.width * g->pitch + i % g->camera.width] += behind;
+}
 
 enum { MANY = TL_LIGHT_BLOCK + 1, SMALL = 400 };
 
@@ -128,6 +137,7 @@ static void image_never_changes(void **state)
         const tl_camera camera =
             camera_of(sizes[size].width, sizes[size].height, sizes[size].projection);
         tl_gbuffer *g = random_gbuffer(&camera, TL_GROUP_BASE | TL_GROUP_PHONG, 1977);
+        push_back(g, sizes[size].behind);
         tl_light_set lights[COUNT_OF(scenes)] = {{.count = 0}};
         tl_image *want[COUNT_OF(scenes)];
         for (size_t s = 0; s < COUNT_OF(scenes); s++) {
@@ -160,6 +170,7 @@ static void most_pairs_are_culled(void **state)
     tl_lighting_options options = tl_lighting_options_default();
     options.tile_size = 8;
     scattered(g, &lights, 200);
+    options.cull = TL_CULL_DEPTH;
     const tl_lighting_counts by_depth = light_frame(*state, &options, g, &lights, image);
     options.cull = TL_CULL_RECT;
     const tl_lighting_counts by_rect = light_frame(*state, &options, g, &lights, image);
@@ -169,6 +180,36 @@ static void most_pairs_are_culled(void **state)
     assert_int_equal(all.list_length, 200 * 8 * 5);
     assert_in_range(by_rect.list_length, 1, all.list_length / 2);
     assert_in_range(by_depth.list_length, 1, by_rect.list_length * 9 / 10);
+    tl_light_set_clear(&lights);
+    tl_image_destroy(image);
+    tl_gbuffer_destroy(g);
+}
+
+/* Between the near and the far surfaces of every tile, near none of them. */
+static void lights_between_surfaces_cost_nothing(void **state)
+{
+    const tl_camera camera = camera_of(64, 64, TL_PERSPECTIVE);
+    tl_gbuffer *g = random_gbuffer(&camera, TL_GROUP_BASE, 1977);
+    tl_image *image = image_like(g);
+    tl_light_set lights = {0};
+    tl_lighting_options options = tl_lighting_options_default();
+    tl_error err;
+    push_back(g, 20.0f);
+    for (int i = 0; i < 100; i++) {
+        const double view[3] = {0.05 * (i - 50), 0.0, -8.0 - 0.1 * i};
+        tl_light light = tl_light_default();
+        double world[3];
+        tl_camera_world_point(&camera, view, world);
+        for (int axis = 0; axis < 3; axis++)
+            light.position[axis] = (float)world[axis];
+        light.range = 2.0f;
+        ASSERT_OK(tl_light_set_add(&lights, &light, &err), err);
+    }
+    const tl_lighting_counts by_split = light_frame(*state, &options, g, &lights, image);
+    options.cull = TL_CULL_DEPTH;
+    const tl_lighting_counts by_depth = light_frame(*state, &options, g, &lights, image);
+    assert_int_equal(by_split.list_length, 0);
+    assert_in_range(by_depth.list_length, 100, 100 * 16);
     tl_light_set_clear(&lights);
     tl_image_destroy(image);
     tl_gbuffer_destroy(g);
@@ -224,6 +265,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(image_never_changes),
         cmocka_unit_test(most_pairs_are_culled),
+        cmocka_unit_test(lights_between_surfaces_cost_nothing),
         cmocka_unit_test(bands_do_not_show),
         cmocka_unit_test(range_is_exclusive),
     };

@@ -19,7 +19,7 @@ static const struct {
     FIELD(tl_frame, ambient),
     FIELD(tl_frame, tile_size),
     FIELD(tl_frame, sky),
-    FIELD(tl_frame, cull_depth),
+    FIELD(tl_frame, box_count),
     FIELD(tl_frame, pitch),
     FIELD(tl_frame, rows),
     FIELD(tl_frame, tiles_x),

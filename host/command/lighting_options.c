@@ -69,7 +69,7 @@ static const struct argp_option options_table[] = {
      "Lights from a JSON file (- is standard input) in place of the scene's own", 0},
     {"cull", OPTION_CULL, "MODE", 0,
      "Which lights a tile computes; the picture is the same bit for bit "
-     "(default depth)." TL_CULLS(WORD_AND_MEANING),
+     "(default split)." TL_CULLS(WORD_AND_MEANING),
      0},
     {"tile", OPTION_TILE, "PIXELS", 0, "Side of a tile: 8, 16, 32 or 64 (default 16)", 0},
     {"device", OPTION_DEVICE, "INDEX|NAME|cpu|gpu", 0,

@@ -172,7 +172,7 @@ static tl_status reserve_lights(tl_prepared *prepared, size_t count, tl_error *e
 tl_status tl_prepare(const tl_gbuffer *gbuffer,
                      const tl_light_set *lights,
                      uint32_t tile_size,
-                     int cull_depth,
+                     uint32_t box_count,
                      float light_cutoff,
                      const tl_notices *notices,
                      tl_prepared *prepared,
@@ -182,7 +182,7 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
     if (status != TL_OK)
         return status;
     prepared->frame = frame_of(gbuffer, lights, tile_size);
-    prepared->frame.cull_depth = cull_depth ? 1 : 0;
+    prepared->frame.box_count = box_count;
     prepared->needs = (tl_needs){.present = gbuffer->present,
                                  .orthographic = gbuffer->camera.projection == TL_ORTHOGRAPHIC};
     collect(&gbuffer->camera, lights, light_cutoff, 1, prepared);

@@ -18,13 +18,13 @@ typedef struct tl_prepared {
     uint32_t left_out_count; /* lights of types that lighting does not know */
 } tl_prepared;
 
-/* Fills *prepared, growing its lights where they do not fit; all zero is a valid start. Names the
+/* box_count: tl_frame.box_count. Fills *prepared, growing its lights where they do not fit; all zero is a valid start. Names the
  * lights it leaves out in a notice. Fails with TL_ERR_ARGUMENT (more than 2^31 lights) or
  * TL_ERR_MEMORY. */
 tl_status tl_prepare(const tl_gbuffer *gbuffer,
                      const tl_light_set *lights,
                      uint32_t tile_size,
-                     int cull_depth,
+                     uint32_t box_count,
                      float light_cutoff,
                      const tl_notices *notices,
                      tl_prepared *prepared,

@@ -18,7 +18,8 @@ static uint64_t bytes_per_row(const tl_pass_context *c, const tl_gbuffer *gbuffe
     const tl_frame *frame = &c->prepared->frame;
     const uint64_t element = c->precision_is_double ? sizeof(double) : sizeof(float);
     const uint64_t tiles =
-        (6 * element + (1 + TL_LIGHT_BLOCK / 32) * sizeof(cl_int)) * frame->box_pitch +
+        (TL_MAX_BOXES * 6 * element + (1 + TL_LIGHT_BLOCK / 32) * sizeof(cl_int)) *
+            frame->box_pitch +
         2 * sizeof(cl_uint) * frame->tiles_x + sizeof(cl_ulong);
     const uint64_t pixels =
         (plane_count(gbuffer) + 3) * sizeof(float) * frame->pitch * frame->tile_size;

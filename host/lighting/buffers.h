@@ -6,7 +6,7 @@
 
 /* X(name, shape) */
 #define TL_BUFFERS(X)                                                       \
-    X(TL_BUFFER_BOXES, "[6][tiles_y][box_pitch] scalars")                   \
+    X(TL_BUFFER_BOXES, "[2][6][tiles_y][box_pitch] scalars")                \
     X(TL_BUFFER_COUNTS, "[tiles_y][box_pitch] int")                         \
     X(TL_BUFFER_BITS, "[tiles_y][TL_LIGHT_BLOCK / 32][box_pitch] int")      \
     X(TL_BUFFER_LIGHTS, "[light_count] tl_view_light")                      \

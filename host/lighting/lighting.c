@@ -24,10 +24,16 @@ static const struct {
     [TL_PRECISION_TWIN] = {1, 0, TL_TWIN_FLOAT},
 };
 
+/* Boxes per tile that lights are tested against. */
+static const uint32_t box_counts[TL_CULL_COUNT] = {
+    [TL_CULL_DEPTH] = 1,
+    [TL_CULL_SPLIT] = TL_MAX_BOXES,
+};
+
 tl_lighting_options tl_lighting_options_default(void)
 {
     return (tl_lighting_options){
-        .cull = TL_CULL_DEPTH, .precision = TL_PRECISION_FLOAT, .tile_size = 16};
+        .cull = TL_CULL_SPLIT, .precision = TL_PRECISION_FLOAT, .tile_size = 16};
 }
 
 static int is_one_of(uint32_t value, const uint32_t *values, size_t count)
@@ -167,7 +173,7 @@ tl_status tl_lighting_run(tl_lighting *lighting,
             err, TL_ERR_ARGUMENT,
             "the image is %u x %u pixels, the G-buffer %u x %u: they must be of one size",
             image->width, image->height, gbuffer->camera.width, gbuffer->camera.height));
-    TRY(tl_prepare(gbuffer, lights, options->tile_size, options->cull == TL_CULL_DEPTH,
+    TRY(tl_prepare(gbuffer, lights, options->tile_size, box_counts[options->cull],
                    options->light_cutoff, notices, &lighting->prepared, err));
     clock = tl_timings_end(timings, "prepare", clock);
     frame_counts = counts_of(&lighting->prepared);

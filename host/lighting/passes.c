@@ -70,7 +70,7 @@ static tl_status reserve_tiles(const tl_pass_context *c, tl_error *err)
         tl_buffer_name name;
         size_t size;
     } wanted[] = {
-        {TL_BUFFER_BOXES, 6 * element * padded},
+        {TL_BUFFER_BOXES, TL_MAX_BOXES * 6 * element * padded},
         {TL_BUFFER_COUNTS, sizeof(cl_int) * padded},
         {TL_BUFFER_BITS, TL_LIGHT_BLOCK / 32 * sizeof(cl_int) * padded},
         {TL_BUFFER_RECTS, TL_RECT_PLANE_COUNT * rect_pitch(c) * sizeof(cl_int)},

@@ -44,9 +44,10 @@ tl_status tl_device_list(tl_device_info **out, size_t *count, tl_error *err);
 tl_device_info tl_device_describe(const tl_device *device);
 
 /* X(name, word on the command line, meaning) */
-#define TL_CULLS(X)                                                               \
-    X(TL_CULL_DEPTH, "depth", "rectangles, then the box of each tile's surfaces") \
-    X(TL_CULL_RECT, "rect", "rectangles of the lights' spheres on the screen")    \
+#define TL_CULLS(X)                                                                      \
+    X(TL_CULL_SPLIT, "split", "as depth, a box each for what is near and far in a tile") \
+    X(TL_CULL_DEPTH, "depth", "rectangles, then the box of each tile's surfaces")        \
+    X(TL_CULL_RECT, "rect", "rectangles of the lights' spheres on the screen")           \
     X(TL_CULL_NONE, "none", "every light on every tile")
 
 typedef enum tl_cull {
@@ -102,7 +103,7 @@ typedef struct tl_lighting_options {
     tl_user_kernel kernel; /* owned by the caller, who keeps it while the tl_lighting lives */
 } tl_lighting_options;
 
-/* depth, float, tile 16, width by device, no cutoff. */
+/* split, float, tile 16, width by device, no cutoff. */
 tl_lighting_options tl_lighting_options_default(void);
 
 /* What a frame came to. */
