@@ -95,7 +95,7 @@ const tl_bench_axis tl_bench_axes[TL_AXIS_COUNT] = {
                           "27", set_per_tile},
     [TL_AXIS_TILE] = {"tile", "PX,...", "Sides of a tile: 8, 16, 32 or 64", "16", set_tile},
     [TL_AXIS_CULL] = {"cull", "MODE,...", "Which lights a tile computes." TL_CULLS(MEANING),
-                      "depth", set_cull},
+                      "split", set_cull},
     [TL_AXIS_PRECISION] = {"precision", "NAME,...",
                            "How it is computed." TL_PRECISIONS(MEANING), "float",
                            set_precision},

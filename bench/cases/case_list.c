@@ -15,7 +15,7 @@ const tl_bench_set tl_bench_sets[] = {
     {"lights", "more lights, as many per tile", {.of[TL_AXIS_LIGHTS] = "64,1024,16384"}},
     {"density", "more lights per tile", {.of[TL_AXIS_PER_TILE] = "3,27,100"}},
     {"tiles", "other tiles", {.of[TL_AXIS_TILE] = "8,16,32,64"}},
-    {"culling", "what culling saves", {.of[TL_AXIS_CULL] = "depth,rect"}},
+    {"culling", "what culling saves", {.of[TL_AXIS_CULL] = "split,depth,rect"}},
     {"widths", "one source, narrower vectors", {.of[TL_AXIS_WIDTH] = "1,4,8,auto"}},
     {"precisions", "what double costs", {.of[TL_AXIS_PRECISION] = "float,double"}},
 };
