@@ -27,7 +27,7 @@ done:
     return status;
 }
 
-static tl_status add_default_lights(job *j, tl_error *err)
+tl_status job_default_lights(job *j, tl_error *err)
 {
     if (j->lights_given || job_has_lights(j))
         return TL_OK;
@@ -57,7 +57,7 @@ tl_status job_light(job *j, const lighting_choice *choice, tl_device *device, tl
     tl_lighting *lighting = NULL;
 
     console_stage("lighting");
-    TRY(add_default_lights(j, err));
+    TRY(job_default_lights(j, err));
     TRY(tl_image_create(camera->width, camera->height, &j->image, err));
     TRY(tl_lighting_create(device, &choice->options, &lighting, err));
     TRY(tl_lighting_run(lighting, j->gbuffer, &j->lights, j->image, &j->timings,

@@ -13,6 +13,9 @@ tl_status job_prepare_light(job *j,
                             tl_device **device,
                             tl_error *err);
 
+/* Adds a default rig, and says so, where neither a file nor the G-buffer brought lights. */
+tl_status job_default_lights(job *j, tl_error *err);
+
 /* From the job's G-buffer and lights to its image. Without lights, a default rig lights it. */
 tl_status job_light(job *j, const lighting_choice *choice, tl_device *device, tl_error *err);
 

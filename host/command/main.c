@@ -40,6 +40,9 @@ static const struct {
      command_scatter, ""},
     {"light", "G.exr -o OUT", "light a G-buffer", LIGHTING(command_light),
      "-DTILELIGHT_LIGHTING=ON"},
+    {"check", "[--kernel FILE.cl]",
+     "hold a shading kernel, yours or ours, against the reference", LIGHTING(command_check),
+     "-DTILELIGHT_LIGHTING=ON"},
     {"bench", "", "how fast frames are lit, and how near to what the device can do",
      LIGHTING(command_bench), "-DTILELIGHT_LIGHTING=ON"},
     {"compare", "A B", "how far two pictures are apart", command_compare, ""},
@@ -75,7 +78,7 @@ static void print_help(void)
          "Captures glTF scenes into G-buffers and lights them with OpenCL.\n\n"
          "Commands, in the order of the data flow:");
     for (size_t i = 0; i < COMMAND_COUNT; i++)
-        printf("  %-8s %-16s %s%s\n", commands[i].name, commands[i].arguments,
+        printf("  %-8s %-18s %s%s\n", commands[i].name, commands[i].arguments,
                commands[i].summary, commands[i].run ? "" : " (not in this build)");
     puts("\n`tilelight COMMAND --help' lists the options of a command, `tilelight --version' "
          "the\n"

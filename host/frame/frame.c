@@ -104,6 +104,7 @@ static void collect(const tl_camera *camera,
         prepared->needs.falloffs |= 1u << v.falloff;
         prepared->needs.specular |=
             v.specular[0] > 0.0f || v.specular[1] > 0.0f || v.specular[2] > 0.0f;
+        prepared->sources[prepared->frame.light_count] = (uint32_t)i;
         prepared->lights[prepared->frame.light_count++] = v;
     }
     if (global)
@@ -161,10 +162,12 @@ static tl_status reserve_lights(tl_prepared *prepared, size_t count, tl_error *e
         return tl_fail(err, TL_ERR_ARGUMENT, "%zu lights: at most 2^31 are lit", count);
     if (count <= prepared->capacity)
         return TL_OK;
-    tl_view_light *grown = realloc(prepared->lights, count * sizeof *grown);
-    if (!grown)
+    tl_view_light *lights = realloc(prepared->lights, count * sizeof *lights);
+    prepared->lights = lights ? lights : prepared->lights;
+    uint32_t *sources = realloc(prepared->sources, count * sizeof *sources);
+    prepared->sources = sources ? sources : prepared->sources;
+    if (!lights || !sources)
         return tl_fail(err, TL_ERR_MEMORY, "out of memory for %zu lights", count);
-    prepared->lights = grown;
     prepared->capacity = count;
     return TL_OK;
 }
@@ -197,6 +200,7 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
 
 void tl_prepared_clear(tl_prepared *prepared)
 {
+    free(prepared->sources);
     free(prepared->lights);
     *prepared = (tl_prepared){0};
 }

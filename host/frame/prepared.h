@@ -14,6 +14,7 @@ typedef struct tl_prepared {
     tl_frame frame;
     tl_needs needs;
     tl_view_light *lights; /* [capacity], the first frame.light_count are set; owned */
+    uint32_t *sources;     /* [capacity], of each its index in the light set; owned */
     size_t capacity;
     uint32_t left_out_count; /* lights of types that lighting does not know */
 } tl_prepared;

@@ -2,6 +2,7 @@
 
 #include "embedded_kernels.h"
 #include "try.h"
+#include "user_kernel.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,18 +16,26 @@ struct tl_programs {
 };
 
 /* No -cl-fast-relaxed-math: the error bounds in kernels/ assume IEEE arithmetic. */
-static void format_flags(const tl_device *device,
-                         const tl_kernel_options *options,
-                         char flags[MAX_FLAGS])
+static void format_flags(const tl_device *device, const tl_program *made, char flags[MAX_FLAGS])
 {
+    const tl_kernel_options *options = &made->options;
     int length =
-        snprintf(flags, MAX_FLAGS, "-cl-std=CL1.2 -w%s",
-                 device->rounds_divide ? " -cl-fp32-correctly-rounded-divide-sqrt" : "");
+        snprintf(flags, MAX_FLAGS, "-cl-std=CL1.2 -w%s%s",
+                 device->rounds_divide ? " -cl-fp32-correctly-rounded-divide-sqrt" : "",
+                 made->user.text ? " -cl-kernel-arg-info" : ""); /* to check them */
 #define FLAG(macro, field)                                                                \
     length += snprintf(flags + length, (size_t)(MAX_FLAGS - length), " -D " #macro "=%u", \
                        options->field);
     TL_KERNEL_OPTIONS(FLAG)
 #undef FLAG
+}
+
+/* Of what ends a log. */
+static void cut_end(char *log)
+{
+    size_t length = strlen(log);
+    while (length > 0 && log[length - 1] == '\n')
+        log[--length] = '\0';
 }
 
 static tl_status fail_with_log(const tl_device *device, const tl_program *made, tl_error *err)
@@ -37,8 +46,14 @@ static tl_status fail_with_log(const tl_device *device, const tl_program *made, 
     char *log = size ? malloc(size) : NULL;
     if (log)
         clGetProgramBuildInfo(made->program, device->id, CL_PROGRAM_BUILD_LOG, size, log, NULL);
-    tl_status status = tl_fail(err, TL_ERR_DEVICE, "the kernels do not compile on %s:\n%s",
-                               device->info.name, log ? log : unavailable);
+    if (log)
+        cut_end(log);
+    const char *file = tl_user_kernel_name(&made->user);
+    const tl_status status =
+        made->user.text ? tl_fail(err, TL_ERR_FORMAT, "%s: does not compile on %s:\n%s", file,
+                                  device->info.name, log ? log : unavailable)
+                        : tl_fail(err, TL_ERR_DEVICE, "the kernels do not compile on %s:\n%s",
+                                  device->info.name, log ? log : unavailable);
     free(log);
     return status;
 }
@@ -55,8 +70,7 @@ static tl_status check_kernel(cl_int code,
                               tl_error *err)
 {
     if (code == CL_INVALID_KERNEL_NAME && made->user.text)
-        return tl_fail(err, TL_ERR_ARGUMENT, "the kernel file has no kernel \"%s\"",
-                       made->user.entry);
+        return tl_user_kernel_missing(made->program, &made->user, err);
     return tl_cl(code, name, err);
 }
 
@@ -71,6 +85,8 @@ static tl_status create_kernels(const tl_device *device, tl_program *made, tl_er
     }
     TL_KERNELS(CREATE)
 #undef CREATE
+    if (made->user.text)
+        TRY(tl_user_kernel_check_arguments(made->shade_tiles, &made->user, err));
 done:
     return status;
 }
@@ -88,6 +104,7 @@ static void release(tl_program *program)
     if (program->keeper)
         tl_keeper_release(program->keeper);
     free(program->keeper);
+    free(program->user_memory);
     *program = (tl_program){0};
 }
 
@@ -101,7 +118,7 @@ static program_source source_of(const tl_device *device, const tl_program *made)
 {
     program_source source = {.texts = {tl_kernel_text, made->user.text},
                              .text_count = made->user.text ? 2 : 1};
-    format_flags(device, &made->options, source.flags);
+    format_flags(device, made, source.flags);
     return source;
 }
 
@@ -126,6 +143,8 @@ static tl_status build(const tl_device *device, tl_program *made, tl_error *err)
     const program_source source = source_of(device, made);
     tl_status status = TL_OK;
 
+    if (made->user.text)
+        TRY(tl_user_kernel_check_entry(&made->user, err));
     made->keeper = calloc(1, sizeof *made->keeper);
     if (!made->keeper)
         TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for a kernel program"));
@@ -192,7 +211,8 @@ static int is_same(const tl_program *program,
         return 0;
     if (!program->user.text || !user->text)
         return program->user.text == user->text;
-    return program->user.text == user->text && strcmp(program->user.entry, user->entry) == 0;
+    return strcmp(program->user.text, user->text) == 0 &&
+           strcmp(program->user.entry, user->entry) == 0 && program->user.items == user->items;
 }
 
 tl_status tl_program_find(tl_device *device,
@@ -211,9 +231,13 @@ tl_status tl_program_find(tl_device *device,
         if (is_same(*out, options, &built.user))
             return TL_OK;
     }
-    const tl_status status = build(device, &built, err);
-    if (status != TL_OK)
+    tl_status status = build(device, &built, err);
+    if (status == TL_OK && built.user.text)
+        status = tl_user_kernel_copy(&built.user, &built.user_memory, err);
+    if (status != TL_OK) {
+        release(&built);
         return status;
+    }
     tl_program *slot = free_slot(device->programs);
     *slot = built;
     *out = slot;

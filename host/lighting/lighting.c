@@ -101,6 +101,8 @@ static tl_kernel_options kernel_options(const tl_lighting *lighting)
     const tl_needs *needs = &lighting->prepared.needs;
     const int is_double = precisions[o->precision].is_double;
     uint32_t width = o->vector_width ? o->vector_width : lighting->device->info.vector_width;
+    if (!o->vector_width && o->kernel.text && o->kernel.items == TL_ITEMS_PIXEL)
+        width = 1; /* what the headers then are for */
     if (!o->vector_width && is_double && width > 1)
         width /= 2; /* as many bytes as the register has */
     if (width == 2)

@@ -1,6 +1,7 @@
 #include "passes.h"
 
 #include "try.h"
+#include "user_kernel.h"
 
 #include <assert.h>
 #include <stdlib.h>
@@ -222,6 +223,12 @@ tl_status tl_pass_shade(tl_pass_context *c, double *ms, tl_error *err)
                  pixels = (size_t)c->frame.tile_size * c->frame.tile_size;
     const int by_pixel = c->program->user.text && c->program->user.items == TL_ITEMS_PIXEL;
     const work size = by_pixel ? (work){tiles * pixels, pixels} : alone(tiles);
+    if (c->program->user.text) {
+        const tl_status status = tl_user_kernel_check_group(c->device, c->program->shade_tiles,
+                                                            &c->program->user, size.group, err);
+        if (status != TL_OK)
+            return status;
+    }
     return LAUNCH(c, shade_tiles, size, ms, err, TL_BUFFER_PLANES, TL_BUFFER_LIGHTS,
                   TL_BUFFER_STARTS, TL_BUFFER_ENDS, TL_BUFFER_LIST, TL_BUFFER_RADIANCE);
 }

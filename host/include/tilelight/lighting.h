@@ -86,11 +86,16 @@ typedef enum tl_kernel_items {
 
 /* A shading kernel of the user's in place of ours; docs/your-kernel.md describes its arguments. */
 typedef struct tl_user_kernel {
-    const char
-        *text; /* OpenCL C, NUL-terminated; it sees all headers of kernels/. NULL: ours */
-    const char *entry; /* the kernel's name */
+    const char *text;  /* OpenCL C, NUL-terminated, after all headers of kernels/. NULL: ours */
+    const char *entry; /* the kernel's name, none of ours */
     tl_kernel_items items;
+    const char *file; /* what messages call the text; may be NULL */
 } tl_user_kernel;
+
+/* The contents of `file` as the text of a tl_user_kernel: compilers then report its own lines under
+ * its name, and its includes of files of kernels/ are blank, for the text follows them already. The
+ * caller frees *out. Fails with TL_ERR_FORMAT where it includes anything else, or TL_ERR_MEMORY. */
+tl_status tl_user_kernel_text(const char *file, const char *source, char **out, tl_error *err);
 
 typedef struct tl_lighting_options {
     tl_cull cull;
@@ -100,7 +105,8 @@ typedef struct tl_lighting_options {
     float light_cutoff;    /* a light without a range ends where it gives this (lx); 0: never */
     uint64_t
         memory_limit; /* bytes of device memory beside shared ones; 0: what the device has */
-    tl_user_kernel kernel; /* owned by the caller, who keeps it while the tl_lighting lives */
+    tl_user_kernel
+        kernel; /* its strings are the caller's, who keeps them while the tl_lighting lives */
 } tl_lighting_options;
 
 /* split, float, tile 16, width by device, no cutoff. */

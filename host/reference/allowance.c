@@ -1,0 +1,481 @@
+/* The value of a pixel in double, and how far a kernel in float may be from it.
+ *
+ * The manner is that of conformance tests (acceptance intervals, Higham, "Accuracy and Stability of
+ * Numerical Algorithms", 2002, chapter 3): every quantity has an interval that any evaluation of its
+ * formula in float falls into, and formulas that are monotone carry the ends of one interval to the
+ * ends of the next. Nothing here is measured.
+ *
+ * u = 2^-24. A step of a kernel may be off, relative to itself, by
+ *     + - * fma          1u     IEEE 754
+ *     division           5u     2.5 ulp, OpenCL 1.2, section 7.4, full profile; an ulp is at most 2u
+ *     sqrt               6u     3 ulp; rsqrt, 2 ulp, is less than sqrt and division
+ *     exp, exp2, log1p   6u     3 ulp
+ *     pow               32u     16 ulp
+ * and sums and products may be grouped as they like, with fma or without: a dot product is off by at
+ * most 3u sum |a_i b_i|. Products of errors are left out; U is larger than u by more than they are.
+ * Squares that leave the range of float (flushed to zero, or infinite) make what depends on them
+ * unknown.
+ *
+ * Where a comparison decides on a light (d2 < range2, n.l > 0) and the two sides are closer than they
+ * may be off, either decision is allowed: the light's interval then begins at 0.
+ *
+ * tests/test_allowance.c shows that the kernels are within, and that small faults are not. */
+#include "allowance.h"
+
+#include "lit_pixel.h"
+
+static const double U = 0x1p-24 * (1.0 + 0x1p-10);
+static const double least_square = 1e-30,
+                    most_square = 1e37; /* squares float keeps, with room */
+static const double flushed = 0x1p-124; /* four operations, each flushed below 2^-126 */
+static const double division = 5.0, root = 6.0, power = 32.0; /* u */
+
+/* 1 / sqrt(a.a): dot product, half of 3u; root; division; and the product with it. */
+static const double unit_length = 1.5 + 6.0 + 5.0 + 1.0; /* u */
+
+typedef struct interval {
+    double low, high;
+} interval;
+
+static double clamp_low(double x)
+{
+    return x > 0.0 ? x : 0.0;
+}
+
+static double length_of(vec3 v)
+{
+    return sqrt(dot3(v, v));
+}
+
+static int keeps_square(double square)
+{
+    return square > least_square && square < most_square;
+}
+
+/* How far a unit vector moves when the vector it is made of, `length` long, moves by `by`: the
+ * chord of the widest angle, asin(by / length). */
+static double chord(double by, double length)
+{
+    return by < length ? 2.0 * sin(0.5 * asin(by / length)) : 2.0;
+}
+
+/* A surface, and how far a kernel's may be from it. */
+typedef struct rough_surface {
+    surface exact;
+    double moved_x, moved_y; /* m; of the position. z is the depth, exact */
+    double normal_moved;     /* of the direction of the normal */
+    double eye_moved;        /* of to_eye, in any direction */
+    int is_lit;              /* 0: it has no normal, and no light reaches it */
+    int has_normal, has_eye; /* 0: its square leaves the range of float */
+    interval exponent;
+} rough_surface;
+
+/* x0 + column dx is the sum of two roundings, and the product with depth of one more. */
+static double moved_along(double ray, double step, double depth, int orthographic)
+{
+    const double ray_moved = U * (fabs(step) + fabs(ray));
+    return orthographic ? ray_moved : depth * (ray_moved + U * fabs(ray));
+}
+
+/* Rotation: 3u sum |r_i w_i| in each component; rounding of its parts when it is made unit, 2u. What
+ * that does to its length is in unit_length. */
+static double normal_error(const tl_frame *frame, vec3 world, double length)
+{
+    double square = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const float *r = frame->view_from_world[i];
+        const double sum = fabs((double)r[0] * world.x) + fabs((double)r[1] * world.y) +
+                           fabs((double)r[2] * world.z);
+        square += sum * sum;
+    }
+    return U * (3.0 * sqrt(square) / length + 2.0);
+}
+
+/* alpha^2 = roughness^4: 3u; the quotient 2/alpha^2: 8u and the constant's rounding; minus 2: u. */
+static interval exponent_of(tl_needs needs, double exponent)
+{
+    const double error =
+        needs.present & TL_GROUP_METAL_ROUGH ? U * 10.0 * (exponent + 2.0) : 0.0;
+    return (interval){clamp_low(exponent - error), exponent + error};
+}
+
+static rough_surface rough_surface_of(
+    const tl_prepared *prepared, pixel in, double exponent, uint32_t column, uint32_t row)
+{
+    const tl_frame *frame = &prepared->frame;
+    const tl_rays rays = frame->rays;
+    const int parallel = (int)prepared->needs.orthographic;
+    const double step_x = column * (double)rays.dx, step_y = row * (double)rays.dy;
+    const double ray_x = step_x + (double)rays.x0, ray_y = step_y + (double)rays.y0;
+    const surface s =
+        surface_of(frame, prepared->needs, in, exponent, (real)column, (scalar)row);
+    const double world2 = dot3(in.normal, in.normal), eye2 = dot3(s.position, s.position);
+    rough_surface r = {.exact = s,
+                       .moved_x = moved_along(ray_x, step_x, in.depth, parallel),
+                       .moved_y = moved_along(ray_y, step_y, in.depth, parallel),
+                       .is_lit = world2 > 0.0,
+                       .has_normal = keeps_square(world2),
+                       .has_eye = parallel || keeps_square(eye2),
+                       .exponent = exponent_of(prepared->needs, exponent)};
+    if (r.has_normal)
+        r.normal_moved = normal_error(frame, in.normal, sqrt(world2));
+    if (!parallel && r.has_eye)
+        r.eye_moved = chord(hypot(r.moved_x, r.moved_y), sqrt(eye2)) + U * unit_length;
+    return r;
+}
+
+/* The way to a light. A directional light has no position: l is its unit vector, as given. */
+typedef struct way {
+    vec3 l;
+    double l_moved;               /* m, in any direction */
+    double exact;                 /* m, |l| */
+    interval distance, distance2; /* as computed */
+    int may_reach, does_reach;
+} way;
+
+static interval distance2_of(double exact, double moved)
+{
+    const double near = clamp_low(exact - moved), far = exact + moved;
+    return (interval){clamp_low(near * near * (1.0 - 3.0 * U) - flushed),
+                      far * far * (1.0 + 3.0 * U) + flushed};
+}
+
+/* Positions move by moved_x, moved_y, the differences round once each. In range: d2 < range2. Nearer
+ * than kernels/light.h takes lights for real, none may add anything; without a range they do
+ * wherever d2 is not 0. */
+static way way_to(const rough_surface *s, tl_view_light light, int global)
+{
+    const vec3 l = vector_to_light(s->exact.position, light);
+    const vec3 moves = {s->moved_x + U * fabs(l.x), s->moved_y + U * fabs(l.y), U * fabs(l.z)};
+    way w = {.l = l, .l_moved = length_of(moves), .exact = length_of(l)};
+    w.distance2 = distance2_of(w.exact, w.l_moved);
+    w.distance = (interval){sqrt(w.distance2.low) * (1.0 - root * U),
+                            sqrt(w.distance2.high) * (1.0 + root * U)};
+    w.may_reach = global || (w.distance2.low < (double)light.range2 &&
+                             w.distance2.high > TL_LEAST_DISTANCE2);
+    w.does_reach = w.distance2.high < most_square && w.distance2.low > TL_LEAST_DISTANCE2 &&
+                   (global || w.distance2.high < (double)light.range2);
+    return w;
+}
+
+static way way_to_sun(tl_view_light light)
+{
+    const way w = {
+        .l = {(real)light.position[0], (real)light.position[1], (real)light.position[2]},
+        .exact = 1.0,
+        .distance = {1.0, 1.0},
+        .distance2 = {1.0, 1.0},
+        .may_reach = 1,
+        .does_reach = 1};
+    return w;
+}
+
+/* 1 - d fade falls with d; the product rounds, and the sum. */
+static interval linear_weight(interval distance, double fade)
+{
+    const interval share = {distance.low * fade, distance.high * fade};
+    return (interval){clamp_low(1.0 - share.high * (1.0 + U) - U),
+                      clamp_low(1.0 - share.low * (1.0 - U) + U)};
+}
+
+/* max(0, 1 - (d2 fade)^2) falls with d2: 3u in the square, u in the difference. 1/d^2, from 1/d:
+ * root, division and square beyond what d2 is off, 23u; cut where the light is near. */
+static interval inverse_square_weight(interval distance2, double fade)
+{
+    const double near = distance2.low * fade, far = distance2.high * fade;
+    const double quotient = (2.0 * (root + division) + 1.0) * U;
+    const double most = TL_MOST_PER_DISTANCE2;
+    const double dim = 1.0 / distance2.high * (1.0 - quotient);
+    const double bright =
+        distance2.low > 0.0 ? 1.0 / distance2.low * (1.0 + quotient) : 2.0 * most;
+    const interval window = {clamp_low(1.0 - far * far * (1.0 + 3.0 * U) - U),
+                             clamp_low(1.0 - near * near * (1.0 - 3.0 * U) + U)};
+    return (interval){window.low * (dim < most ? dim : most) * (1.0 - 6.0 * U),
+                      window.high * (bright < most ? bright : most) * (1.0 + 6.0 * U)};
+}
+
+static interval weight_of(tl_view_light light, const way *w)
+{
+    static const interval one = {1.0, 1.0};
+    if (light.falloff == TL_FADE_NONE)
+        return one;
+    if (light.falloff == TL_FADE_LINEAR)
+        return linear_weight(w->distance, (double)light.fade);
+    return inverse_square_weight(w->distance2, (double)light.fade);
+}
+
+/* n.l / |l|. The directions of both move; the dot product rounds, 3u, and the parts of l where they
+ * are divided first, u. Lengths scale it and cannot change its sign. */
+typedef struct incidence {
+    double exact;
+    interval cosine; /* 0 where n.l <= 0 */
+    int may_be_above, is_above;
+} incidence;
+
+static incidence incidence_of(const rough_surface *s, const way *w)
+{
+    const vec3 n = s->exact.normal;
+    const double terms = fabs(n.x * w->l.x) + fabs(n.y * w->l.y) + fabs(n.z * w->l.z);
+    const double scaled = (unit_length + unit_length) * U;
+    incidence out = {.may_be_above = 1, .cosine = {0.0, 1.0 + scaled}};
+    if (!s->has_normal || !(w->exact > 0.0))
+        return out;
+    out.exact = dot3(n, w->l) / w->exact;
+    const double off =
+        s->normal_moved + chord(w->l_moved, w->exact) + 4.0 * U * terms / w->exact;
+    out.may_be_above = out.exact > -off;
+    out.is_above = out.exact > off;
+    out.cosine = (interval){clamp_low(out.exact - off) * (1.0 - scaled),
+                            clamp_low(out.exact + off) * (1.0 + scaled)};
+    return out;
+}
+
+/* cos^e by its logarithm, e ln cos, which falls with the angle. */
+static double log_of_power(double cosine, double exponent)
+{
+    return exponent > 0.0 ? exponent * log(cosine) : 0.0;
+}
+
+/* How far the logarithm may be off in the stable form, for exact n and h. Of s = sin, c = cos:
+ *   near the peak  sin^2 is off by 9u s^2 for its squares and quotient, 4u s^2 for a division less
+ *                  exact than IEEE's, 27u s^2 where h is made unit beforehand, and by (30u)^2 for
+ *                  the length of n, which moves the part of h across n along n. The logarithm of
+ *                  1 - sin^2 is steeper by 1/c^2.
+ *   elsewhere      cos^2 is off by 27u for the length of n, 27u for that of h, 8u for its product
+ *                  and quotient. (What rounds in n.h itself counts as a turn of h.)
+ * Both branches meet at s^2 = 1/4; the second bound is the larger one there. Then log2 or log1p,
+ * its factor, and the product with e/2: 14u of the logarithm; and the power itself. */
+static double stable_error(double cosine, double exponent, double log_power)
+{
+    const double sin2 = clamp_low(1.0 - cosine * cosine);
+    const double near_peak = (40.0 * sin2 + 900.0 * U) / (cosine * cosine);
+    const double of_square = sin2 < 0.2 ? near_peak : 62.0;
+    return U * (0.5 * exponent * of_square + 14.0 * -log_power + power);
+}
+
+/* pow(n.h, e): n.h is off by 3u for its sum, and by 27u + 6u of itself for lengths and quotient. */
+static interval textbook_power(interval cosine, interval exponent)
+{
+    const double low = clamp_low(cosine.low * (1.0 - 33.0 * U) - 3.0 * U);
+    const double high = cosine.high * (1.0 + 33.0 * U) + 3.0 * U;
+    const double low_exponent = high < 1.0 ? exponent.low : exponent.high;
+    return (interval){exp(log_of_power(low, exponent.high)) * (1.0 - power * U),
+                      exp(log_of_power(high, low_exponent)) * (1.0 + power * U)};
+}
+
+/* A power below 2^-63 is as good as 0: kernels/specular.h ends at 2^-64. */
+static const double floor_of_power = 0x1p-63;
+
+static interval stable_power(interval cosine, interval exponent)
+{
+    const double low = log_of_power(cosine.low, exponent.high);
+    const double high = log_of_power(cosine.high, exponent.low);
+    const double dim = exp(low - stable_error(cosine.low, exponent.high, low)) - floor_of_power;
+    const double bright = exp(high + stable_error(cosine.high, exponent.low, high)) + floor_of_power;
+    const double most = 1.0 + power * U;
+    return (interval){cosine.low > 0.0 ? clamp_low(dim) : 0.0, bright < most ? bright : most};
+}
+
+/* The specular lobe. h = l + |l| v, or that divided by |l|: l moves, as a unit vector its length
+ * errs by 13.5u; |l| is off by what the distance is; v moves; the products and sums round. The angle
+ * between n and h is then known to within `turn`, and 3u more for the rounding of n.h. */
+static interval lobe_of(const rough_surface *s, const way *w, tl_cosine form)
+{
+    static const interval unknown = {0.0, 1.0 + 0x1p-18};
+    const surface *e = &s->exact;
+    const vec3 h = fma3(e->to_eye, w->exact, w->l);
+    const double length = length_of(h);
+    const double distance_off = fmax(w->distance.high - w->exact, w->exact - w->distance.low);
+    const double h_moved =
+        w->l_moved + distance_off + U * length + w->exact * (s->eye_moved + 8.0 * U);
+    if (!s->has_normal || !s->has_eye || !(h_moved < 0.5 * length) ||
+        !keeps_square(length * length))
+        return unknown;
+    const vec3 n = e->normal;
+    const vec3 cross = {n.y * h.z - n.z * h.y, n.z * h.x - n.x * h.z, n.x * h.y - n.y * h.x};
+    const double angle = atan2(length_of(cross), dot3(n, h));
+    const double turn = asin(h_moved / length) + s->normal_moved + 3.0 * U;
+    const double right = 2.0 * atan(1.0);
+    const interval cosine = {angle + turn < right ? cos(angle + turn) : 0.0,
+                             angle < turn           ? 1.0
+                             : angle - turn < right ? cos(angle - turn)
+                                                    : -1.0};
+    if (cosine.high < 0.0)
+        return (interval){0.0, 0.0};
+    return form == TL_COSINE_TEXTBOOK ? textbook_power(cosine, s->exponent)
+                                      : stable_power(cosine, s->exponent);
+}
+
+/* Light received by each lobe, per channel, not yet multiplied with what the surface reflects. */
+typedef struct rough_light {
+    interval diffuse[3], specular[3];
+    int may_add, is_certain;
+    double n_dot_l, distance;
+} rough_light;
+
+/* Weight, cosine, colour: two products, and one more where a kernel multiplies the material in at
+ * once. */
+static interval product(interval a, interval b, double colour)
+{
+    return (interval){a.low * b.low * colour * (1.0 - 3.0 * U),
+                      a.high * b.high * colour * (1.0 + 3.0 * U) + flushed * colour};
+}
+
+static rough_light light_on(const tl_prepared *prepared,
+                            const rough_surface *s,
+                            uint32_t index,
+                            tl_cosine form)
+{
+    const tl_view_light light = prepared->lights[index];
+    const way w = light.falloff == TL_FADE_NONE
+                      ? way_to_sun(light)
+                      : way_to(s, light, index < prepared->frame.global_count);
+    rough_light out = {.distance = w.exact};
+    if (!s->is_lit || !w.may_reach)
+        return out;
+    const incidence n_dot_l = incidence_of(s, &w);
+    if (!n_dot_l.may_be_above)
+        return out;
+    static const interval none = {0.0, 0.0};
+    const interval weight = weight_of(light, &w);
+    const interval lobe = prepared->needs.specular ? lobe_of(s, &w, form) : none;
+    out.may_add = 1;
+    out.is_certain = w.does_reach && n_dot_l.is_above;
+    out.n_dot_l = n_dot_l.exact;
+    for (int i = 0; i < 3; i++) {
+        out.diffuse[i] = product(weight, n_dot_l.cosine, (double)light.diffuse[i]);
+        out.specular[i] = product(weight, lobe, (double)light.specular[i]);
+        if (!out.is_certain)
+            out.diffuse[i].low = out.specular[i].low = 0.0;
+    }
+    return out;
+}
+
+/* What a surface reflects. Metal-rough: base (1 - metallic), two roundings; mix(0.04, base,
+ * metallic), three of its parts and that of the constant. */
+typedef struct rough_material {
+    interval diffuse[3], specular[3];
+    double exponent;
+} rough_material;
+
+static interval around(double value, double error)
+{
+    return (interval){clamp_low(value - error), value + error};
+}
+
+static rough_material rough_material_of(tl_needs needs, pixel in)
+{
+    const phong_material m = material_of(needs, in);
+    const double diffuse[3] = {m.diffuse.x, m.diffuse.y, m.diffuse.z};
+    const double specular[3] = {m.specular.x, m.specular.y, m.specular.z};
+    const double base[3] = {in.albedo.x, in.albedo.y, in.albedo.z};
+    const int mixed = (needs.present & TL_GROUP_METAL_ROUGH) != 0;
+    rough_material out = {.exponent = m.shininess};
+    for (int i = 0; i < 3; i++) {
+        out.diffuse[i] = around(diffuse[i], mixed ? 2.0 * U * diffuse[i] : 0.0);
+        out.specular[i] = around(
+            specular[i], mixed ? 4.0 * U * (TL_DIELECTRIC + base[i] * in.metallic) : 0.0);
+    }
+    return out;
+}
+
+/* The sum of `terms` numbers, none negative, in any order: each addition rounds what it gives, which
+ * is never more than the whole. Ambient light and emission are two more, materials one product
+ * each. */
+static interval summed(interval sum, uint32_t terms)
+{
+    const double error = (double)(terms + 6) * U * sum.high + flushed;
+    return (interval){clamp_low(sum.low - error), sum.high + error};
+}
+
+static tl_allowance sky_of(const tl_frame *frame)
+{
+    tl_allowance out = {.certain = 1};
+    for (int i = 0; i < 3; i++)
+        out.expected[i] = out.low[i] = out.high[i] = (double)frame->sky[i];
+    return out;
+}
+
+static interval reflected(const rough_material *m, const rough_light *light, int i)
+{
+    return (interval){m->diffuse[i].low * light->diffuse[i].low +
+                          m->specular[i].low * light->specular[i].low,
+                      m->diffuse[i].high * light->diffuse[i].high +
+                          m->specular[i].high * light->specular[i].high};
+}
+
+/* Light that needs no light: albedo ambient occlusion, two roundings, and emission. */
+static void add_unlit(const tl_frame *frame, pixel in, interval sum[3])
+{
+    const double albedo[3] = {in.albedo.x, in.albedo.y, in.albedo.z};
+    const double emissive[3] = {in.emissive.x, in.emissive.y, in.emissive.z};
+    for (int i = 0; i < 3; i++) {
+        const double ambient = albedo[i] * (double)frame->ambient[i] * in.occlusion;
+        sum[i].low += ambient * (1.0 - 2.0 * U) + emissive[i];
+        sum[i].high += ambient * (1.0 + 2.0 * U) + emissive[i];
+    }
+}
+
+tl_allowance tl_allowance_of(const tl_prepared *prepared,
+                             float *const planes[TL_PLANE_COUNT],
+                             uint32_t column,
+                             uint32_t row,
+                             tl_cosine form)
+{
+    const tl_frame *frame = &prepared->frame;
+    const pixel in = pixel_at(planes, (size_t)row * frame->pitch + column);
+    if (!(in.depth < INFINITY))
+        return sky_of(frame);
+    const vec3 expected = light_pixel(prepared, in, column, row);
+    const rough_material material = rough_material_of(prepared->needs, in);
+    const rough_surface s = rough_surface_of(prepared, in, material.exponent, column, row);
+    interval sum[3] = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}};
+    uint32_t terms = 0;
+    int certain = 1;
+    for (uint32_t index = 0; index < frame->light_count; index++) {
+        const rough_light light = light_on(prepared, &s, index, form);
+        if (!light.may_add)
+            continue;
+        terms++;
+        certain &= light.is_certain;
+        for (int i = 0; i < 3; i++) {
+            const interval added = reflected(&material, &light, i);
+            sum[i].low += added.low;
+            sum[i].high += added.high;
+        }
+    }
+    add_unlit(frame, in, sum);
+    tl_allowance out = {.expected = {expected.x, expected.y, expected.z}, .certain = certain};
+    for (int i = 0; i < 3; i++) {
+        const interval whole = summed(sum[i], terms);
+        out.low[i] = whole.low;
+        out.high[i] = whole.high;
+    }
+    return out;
+}
+
+int tl_allowance_share(const tl_prepared *prepared,
+                       float *const planes[TL_PLANE_COUNT],
+                       uint32_t column,
+                       uint32_t row,
+                       uint32_t index,
+                       tl_cosine form,
+                       tl_light_share *out)
+{
+    const pixel in = pixel_at(planes, (size_t)row * prepared->frame.pitch + column);
+    if (!(in.depth < INFINITY))
+        return 0;
+    const rough_material material = rough_material_of(prepared->needs, in);
+    const rough_surface s = rough_surface_of(prepared, in, material.exponent, column, row);
+    const rough_light light = light_on(prepared, &s, index, form);
+    if (!light.may_add)
+        return 0;
+    *out = (tl_light_share){
+        .distance = light.distance, .n_dot_l = light.n_dot_l, .certain = light.is_certain};
+    for (int i = 0; i < 3; i++) {
+        const interval added = reflected(&material, &light, i);
+        out->low[i] = added.low;
+        out->high[i] = added.high;
+    }
+    return 1;
+}
