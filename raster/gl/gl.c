@@ -30,6 +30,13 @@ static tl_status load_functions(tl_gl *gl, tl_error *err)
     return TL_OK;
 }
 
+tl_status tl_gl_use(tl_gl *gl, tl_error *err)
+{
+    if (!OSMesaMakeCurrent(gl->context, gl->pixel, GL_UNSIGNED_BYTE, 1, 1))
+        return tl_fail(err, TL_ERR_DEVICE, "OSMesa cannot make an OpenGL context current");
+    return TL_OK;
+}
+
 tl_status tl_gl_open(tl_gl **out, tl_error *err)
 {
     static const int wanted[] = {OSMESA_FORMAT,
@@ -53,9 +60,10 @@ tl_status tl_gl_open(tl_gl **out, tl_error *err)
     tl_status status = load_functions(gl, err);
     if (status == TL_OK) {
         gl->context = OSMesaCreateContextAttribs(wanted, NULL);
-        if (!gl->context || !OSMesaMakeCurrent(gl->context, gl->pixel, GL_UNSIGNED_BYTE, 1, 1))
-            status = tl_fail(err, TL_ERR_DEVICE,
-                             "OSMesa gives no OpenGL 4.5 core context; Mesa 22.3 does");
+        status = gl->context
+                     ? tl_gl_use(gl, err)
+                     : tl_fail(err, TL_ERR_DEVICE,
+                               "OSMesa gives no OpenGL 4.5 core context; Mesa 22.3 does");
     }
     if (status != TL_OK) {
         tl_gl_close(gl);
