@@ -9,4 +9,17 @@ tl_status hand_create_relaxed(const tl_baseline_input *input, void **out, tl_err
 tl_status hand_run(void *state, tl_image *image, tl_timings *timings, tl_error *err);
 void hand_destroy(void *state);
 
+tl_status multipass_create_quads(const tl_baseline_input *input, void **out, tl_error *err);
+tl_status multipass_create_volumes(const tl_baseline_input *input, void **out, tl_error *err);
+tl_status multipass_run(void *state, tl_image *image, tl_timings *timings, tl_error *err);
+void multipass_destroy(void *state);
+
+tl_status classic_create(const tl_baseline_input *input, void **out, tl_error *err);
+tl_status classic_run(void *state, tl_image *image, tl_timings *timings, tl_error *err);
+void classic_destroy(void *state);
+
+tl_status brute_create(const tl_baseline_input *input, void **out, tl_error *err);
+tl_status brute_run(void *state, tl_image *image, tl_timings *timings, tl_error *err);
+void brute_destroy(void *state);
+
 #endif

@@ -26,7 +26,62 @@ static const tl_baseline hand_relaxed = {
     .destroy = hand_destroy,
 };
 
-const tl_baseline *const tl_baselines[] = {&hand, &hand_relaxed};
+#ifdef TL_HAS_MULTIPASS
+static const tl_baseline quads = {
+    .name = "quads",
+    .meaning = "OpenGL, light by light: the rectangle of its sphere, added up by blending",
+    .source = "Policarpo and Fonseca, \"Deferred Shading Tutorial\" (2005), section 3.4.2",
+    .rms_tolerance = 3e-5,
+    .max_tolerance = 0.1,
+    .create = multipass_create_quads,
+    .run = multipass_run,
+    .destroy = multipass_destroy,
+};
+
+static const tl_baseline volumes = {
+    .name = "volumes",
+    .meaning = "OpenGL, light by light: back faces of its sphere behind what is seen",
+    .source = "Thibieroz, \"Deferred Shading with Multiple Render Targets\" (ShaderX2, 2003)",
+    .rms_tolerance = 3e-5,
+    .max_tolerance = 0.1,
+    .create = multipass_create_volumes,
+    .run = multipass_run,
+    .destroy = multipass_destroy,
+};
+#endif
+
+static const tl_baseline classic = {
+    .name = "classic",
+    .meaning =
+        "OpenCL as on GPUs: a work-group per tile, local atomics, pow; 256 lights a tile",
+    .source = "Andersson, \"Parallel Graphics in Frostbite\" (SIGGRAPH 2009)",
+    .needs_device = 1,
+    .rms_tolerance = 3e-5,
+    .max_tolerance = 0.1,
+    .create = classic_create,
+    .run = classic_run,
+    .destroy = classic_destroy,
+};
+
+static const tl_baseline brute = {
+    .name = "brute",
+    .meaning = "the project's kernels without culling: every light on every pixel",
+    .source = "the method of the kernels",
+    .needs_device = 1,
+    .rms_tolerance = 2e-6,
+    .max_tolerance = 0.1,
+    .create = brute_create,
+    .run = brute_run,
+    .destroy = brute_destroy,
+};
+
+const tl_baseline *const tl_baselines[] = {
+    &hand,    &hand_relaxed,
+#ifdef TL_HAS_MULTIPASS
+    &quads,   &volumes,
+#endif
+    &classic, &brute,
+};
 const int tl_baseline_count = sizeof tl_baselines / sizeof tl_baselines[0];
 
 const tl_baseline *tl_baseline_find(const char *name)

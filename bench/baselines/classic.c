@@ -1,0 +1,190 @@
+/* The classic GPU kernel, classic.cl: built, fed and read back.
+ *
+ * Tolerance. The cosine carries some 4 roundings, and its power multiplies them by e: at 256, the
+ * largest exponent of the bench scenes, the lobe is off by 256 4u = 6e-5 of itself (u = 2^-24), in
+ * highlights. Half of that is allowed for the RMS of a frame. Lights of a tile add up in the order
+ * in which they were listed, which changes from run to run by as little as rounding does. */
+#include "baseline_tables.h"
+#include "buffers.h"
+#include "kernel_program.h"
+#include "prepared.h"
+#include "try.h"
+
+#include "embedded_classic.h"
+
+#include <stdlib.h>
+
+enum { TILE = 16 }; /* CLASSIC_TILE */
+
+typedef struct classic {
+    tl_device *device;
+    const tl_gbuffer *gbuffer;
+    tl_prepared prepared;
+    tl_kernel_options options;
+    tl_buffers buffers; /* planes, lights, radiance */
+    cl_mem longest;     /* [2] uint, as the kernel describes it */
+} classic;
+
+void classic_destroy(void *state)
+{
+    classic *c = state;
+    if (!c)
+        return;
+    if (c->longest)
+        clReleaseMemObject(c->longest);
+    tl_buffers_release(&c->buffers);
+    tl_prepared_clear(&c->prepared);
+    free(c);
+}
+
+static size_t plane_size(const classic *c)
+{
+    return (size_t)c->gbuffer->rows * c->gbuffer->pitch * sizeof(float);
+}
+
+static tl_status upload(classic *c, tl_error *err)
+{
+    const size_t planes = (size_t)__builtin_popcount(c->gbuffer->present) * plane_size(c);
+    const size_t lights = c->prepared.frame.light_count * sizeof(tl_view_light);
+    tl_status status = TL_OK;
+    cl_int code;
+    if (c->device->shares_memory) {
+        TRY(tl_buffers_share(&c->buffers, c->device, TL_BUFFER_PLANES, c->gbuffer->planes,
+                             planes, err));
+    } else {
+        TRY(tl_buffers_reserve(&c->buffers, c->device, TL_BUFFER_PLANES, planes, err));
+        TRY(tl_buffers_write(&c->buffers, c->device, TL_BUFFER_PLANES, c->gbuffer->planes,
+                             planes, err));
+    }
+    TRY(tl_buffers_reserve(&c->buffers, c->device, TL_BUFFER_LIGHTS, lights, err));
+    c->longest =
+        clCreateBuffer(c->device->context, CL_MEM_READ_WRITE, 2 * sizeof(cl_uint), NULL, &code);
+    TRY(tl_cl(code, "clCreateBuffer", err));
+done:
+    return status;
+}
+
+static tl_status set_arguments(classic *c, cl_kernel kernel, const tl_frame *frame)
+{
+    const cl_mem buffers[] = {c->buffers.of[TL_BUFFER_PLANES].memory,
+                              c->buffers.of[TL_BUFFER_LIGHTS].memory,
+                              c->buffers.of[TL_BUFFER_RADIANCE].memory, c->longest};
+    cl_int code = clSetKernelArg(kernel, 0, sizeof *frame, frame);
+    for (cl_uint i = 0; code == CL_SUCCESS && i < 4; i++)
+        code = clSetKernelArg(kernel, i + 1, sizeof buffers[i], &buffers[i]);
+    return code;
+}
+
+/* Lights the tiles of `frame`, and waits. */
+static tl_status launch(classic *c, const tl_frame *frame, cl_uint longest[2], tl_error *err)
+{
+    static const size_t group[2] = {TILE, TILE};
+    const tl_user_kernel user = {.text = tl_classic_cl, .entry = "light_tiles_classic"};
+    const size_t items[2] = {(size_t)frame->tiles_x * TILE, (size_t)frame->tiles_y * TILE};
+    const tl_program *program = NULL;
+    tl_status status = TL_OK;
+    const cl_command_queue queue = c->device->queue;
+    longest[0] = longest[1] = 0;
+    TRY(tl_program_find(c->device, &c->options, &user, &program, err));
+    TRY(tl_cl(set_arguments(c, program->shade_tiles, frame), "clSetKernelArg", err));
+    TRY(tl_cl(clEnqueueWriteBuffer(queue, c->longest, CL_TRUE, 0, 2 * sizeof(cl_uint), longest,
+                                   0, NULL, NULL),
+              "clEnqueueWriteBuffer", err));
+    TRY(tl_cl(clEnqueueNDRangeKernel(queue, program->shade_tiles, 2, NULL, items, group, 0,
+                                     NULL, NULL),
+              "light_tiles_classic", err));
+    TRY(tl_cl(clEnqueueReadBuffer(queue, c->longest, CL_TRUE, 0, 2 * sizeof(cl_uint), longest,
+                                  0, NULL, NULL),
+              "clEnqueueReadBuffer", err));
+    tl_program_note_launch(program, program->shade_tiles, items[0] * items[1], TILE * TILE);
+    tl_program_keep(c->device, program);
+done:
+    return status;
+}
+
+static tl_status bind_radiance(classic *c, float *planes, tl_error *err)
+{
+    const size_t size = 3 * plane_size(c);
+    return c->device->shares_memory
+               ? tl_buffers_share(&c->buffers, c->device, TL_BUFFER_RADIANCE, planes, size, err)
+               : tl_buffers_reserve(&c->buffers, c->device, TL_BUFFER_RADIANCE, size, err);
+}
+
+/* Drivers compile a kernel in full when it is first launched, for the size of work-groups and of the
+ * grid: the whole frame, without lights. */
+static tl_status compile(classic *c, tl_error *err)
+{
+    tl_frame frame = c->prepared.frame;
+    cl_uint longest[2];
+    tl_status status = TL_OK;
+    frame.global_count = frame.light_count = 0;
+    TRY(tl_buffers_reserve(&c->buffers, c->device, TL_BUFFER_RADIANCE, 3 * plane_size(c), err));
+    TRY(launch(c, &frame, longest, err));
+done:
+    return status;
+}
+
+tl_status classic_create(const tl_baseline_input *input, void **out, tl_error *err)
+{
+    tl_status status = TL_OK;
+    classic *c = calloc(1, sizeof *c);
+    if (!c)
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for a baseline");
+    c->device = input->device;
+    c->gbuffer = input->gbuffer;
+    TRY(tl_prepare(input->gbuffer, input->lights, TILE, 1, 0.0f, NULL, &c->prepared, err));
+    c->options = (tl_kernel_options){.width = 1,
+                                     .orthographic = c->prepared.needs.orthographic,
+                                     .present = c->prepared.needs.present,
+                                     .specular = c->prepared.needs.specular,
+                                     .falloffs = c->prepared.needs.falloffs};
+    TRY(upload(c, err));
+    TRY(compile(c, err));
+    *out = c;
+    c = NULL;
+done:
+    classic_destroy(c);
+    return status;
+}
+
+static tl_status read_back(classic *c, tl_image *image, tl_error *err)
+{
+    const size_t size = 3 * plane_size(c);
+    void *mapped = NULL;
+    tl_status status = TL_OK;
+    if (c->device->shares_memory) {
+        TRY(tl_buffers_map(&c->buffers, c->device, TL_BUFFER_RADIANCE, CL_MAP_READ, size,
+                           &mapped, err));
+        TRY(tl_buffers_unmap(&c->buffers, c->device, TL_BUFFER_RADIANCE, mapped, err));
+    } else {
+        TRY(tl_cl(clEnqueueReadBuffer(c->device->queue,
+                                      c->buffers.of[TL_BUFFER_RADIANCE].memory, CL_TRUE, 0,
+                                      size, image->planes, 0, NULL, NULL),
+                  "clEnqueueReadBuffer", err));
+    }
+done:
+    return status;
+}
+
+tl_status classic_run(void *state, tl_image *image, tl_timings *timings, tl_error *err)
+{
+    classic *c = state;
+    tl_status status = TL_OK;
+    double clock = tl_seconds();
+    cl_uint longest[2];
+    TRY(bind_radiance(c, image->planes, err));
+    TRY(tl_buffers_write(&c->buffers, c->device, TL_BUFFER_LIGHTS, c->prepared.lights,
+                         c->prepared.frame.light_count * sizeof(tl_view_light), err));
+    clock = tl_timings_end(timings, "upload", clock);
+    TRY(launch(c, &c->prepared.frame, longest, err));
+    clock = tl_timings_end(timings, "tiles", clock);
+    if (longest[0] > longest[1])
+        TRY(tl_fail(err, TL_ERR_UNSUPPORTED,
+                    "a tile meets %u lights, and the classic kernel's lists hold %u: light "
+                    "fewer, or with shorter ranges",
+                    longest[0], longest[1]));
+    TRY(read_back(c, image, err));
+    tl_timings_end(timings, "readback", clock);
+done:
+    return status;
+}
