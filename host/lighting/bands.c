@@ -108,8 +108,8 @@ static tl_status upload_lights(tl_pass_context *c, tl_error *err)
         tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_LIGHTS, size, err);
     if (status != TL_OK)
         return status;
-    return tl_buffers_write(c->buffers, c->device, TL_BUFFER_LIGHTS, c->prepared->lights, size,
-                            err);
+    return tl_buffers_send(c->buffers, c->device, TL_BUFFER_LIGHTS, c->prepared->lights, size,
+                           err);
 }
 
 /* Where memory is shared, mapping is how the host gets to see what the device wrote. */

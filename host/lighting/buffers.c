@@ -46,15 +46,33 @@ tl_status tl_buffers_share(tl_buffers *buffers,
                            size_t size,
                            tl_error *err)
 {
-    void *mapped = NULL;
+    cl_int code;
     if (buffers->of[name].host != host || buffers->of[name].size != size)
         return make(buffers, device, name, CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, host, size,
                     err);
-    /* The same memory with another frame in it: mapping is how OpenCL learns of that. */
-    tl_status status = tl_buffers_map(buffers, device, name, CL_MAP_WRITE, size, &mapped, err);
-    if (status == TL_OK)
-        status = tl_buffers_unmap(buffers, device, name, mapped, err);
-    return status;
+    /* The same memory with another frame in it: mapping is how OpenCL learns of that. Nothing is
+     * written through the pointer, so nothing waits for it. */
+    void *const mapped = clEnqueueMapBuffer(device->queue, buffers->of[name].memory, CL_FALSE,
+                                            CL_MAP_WRITE, 0, size, 0, NULL, NULL, &code);
+    const tl_status status = tl_cl(code, "clEnqueueMapBuffer", err);
+    if (status != TL_OK)
+        return status;
+    return tl_buffers_unmap(buffers, device, name, mapped, err);
+}
+
+static tl_status write(tl_buffers *buffers,
+                       const tl_device *device,
+                       tl_buffer_name name,
+                       const void *from,
+                       size_t size,
+                       cl_bool blocking,
+                       tl_error *err)
+{
+    if (size == 0) /* OpenCL refuses to write nothing */
+        return TL_OK;
+    return tl_cl(clEnqueueWriteBuffer(device->queue, buffers->of[name].memory, blocking, 0,
+                                      size, from, 0, NULL, NULL),
+                 "clEnqueueWriteBuffer", err);
 }
 
 tl_status tl_buffers_write(tl_buffers *buffers,
@@ -64,11 +82,17 @@ tl_status tl_buffers_write(tl_buffers *buffers,
                            size_t size,
                            tl_error *err)
 {
-    if (size == 0) /* OpenCL refuses to write nothing */
-        return TL_OK;
-    return tl_cl(clEnqueueWriteBuffer(device->queue, buffers->of[name].memory, CL_TRUE, 0, size,
-                                      from, 0, NULL, NULL),
-                 "clEnqueueWriteBuffer", err);
+    return write(buffers, device, name, from, size, CL_TRUE, err);
+}
+
+tl_status tl_buffers_send(tl_buffers *buffers,
+                          const tl_device *device,
+                          tl_buffer_name name,
+                          const void *from,
+                          size_t size,
+                          tl_error *err)
+{
+    return write(buffers, device, name, from, size, CL_FALSE, err);
 }
 
 tl_status tl_buffers_map(tl_buffers *buffers,

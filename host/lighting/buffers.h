@@ -58,6 +58,14 @@ tl_status tl_buffers_write(tl_buffers *buffers,
                            size_t size,
                            tl_error *err);
 
+/* The same without waiting: `from` stays as it is until the device's next clFinish. */
+tl_status tl_buffers_send(tl_buffers *buffers,
+                          const tl_device *device,
+                          tl_buffer_name name,
+                          const void *from,
+                          size_t size,
+                          tl_error *err);
+
 /* Maps the first `size` bytes for the host; unmap with tl_buffers_unmap. Waits for the device. */
 tl_status tl_buffers_map(tl_buffers *buffers,
                          const tl_device *device,

@@ -91,8 +91,8 @@ done:
 static tl_status forget_lists(const tl_pass_context *c, tl_error *err)
 {
     static const cl_uint start = 0;
-    return tl_buffers_write(c->buffers, c->device, TL_BUFFER_LIST_END, &start, sizeof start,
-                            err);
+    return tl_buffers_send(c->buffers, c->device, TL_BUFFER_LIST_END, &start, sizeof start,
+                           err);
 }
 
 /* light_rects of a device without double: the same header on the host. */
