@@ -3,6 +3,8 @@
 #include "tilelight/scatter.h"
 #include "words.h"
 
+#include <string.h>
+
 #define WORD(name, word, meaning) word,
 #define MEANING(name, word, meaning) " " word ": " meaning "."
 
@@ -34,6 +36,15 @@ static tl_status set_lights(tl_bench_case *of, const char *word, tl_error *err)
 static tl_status set_per_tile(tl_bench_case *of, const char *word, tl_error *err)
 {
     return tl_word_number("--per-tile", word, 0.1, 1e6, &of->scene_options.lights_per_tile,
+                          err);
+}
+
+static tl_status set_range(tl_bench_case *of, const char *word, tl_error *err)
+{
+    of->scene_options.range = 0.0;
+    if (strcmp(word, "auto") == 0)
+        return TL_OK;
+    return tl_word_number("--range (m, or auto)", word, 1e-6, 1e6, &of->scene_options.range,
                           err);
 }
 
@@ -93,6 +104,9 @@ const tl_bench_axis tl_bench_axes[TL_AXIS_COUNT] = {
     [TL_AXIS_PER_TILE] = {"per-tile", "N,...",
                           "Lights that a tile of 16 px lists on average; sets their range",
                           "27", set_per_tile},
+    [TL_AXIS_RANGE] = {"range", "METRES,...",
+                       "Range of every light, in place of --per-tile, or auto", "auto",
+                       set_range},
     [TL_AXIS_TILE] = {"tile", "PX,...", "Sides of a tile: 8, 16, 32 or 64", "16", set_tile},
     [TL_AXIS_CULL] = {"cull", "MODE,...", "Which lights a tile computes." TL_CULLS(MEANING),
                       "split", set_cull},

@@ -16,6 +16,7 @@ typedef enum tl_bench_axis_name {
     TL_AXIS_SIZE,
     TL_AXIS_LIGHTS,
     TL_AXIS_PER_TILE,
+    TL_AXIS_RANGE,
     TL_AXIS_TILE,
     TL_AXIS_CULL,
     TL_AXIS_PRECISION,
@@ -71,7 +72,8 @@ tl_status tl_bench_cases_add(tl_bench_cases *cases, const tl_bench_lists *lists,
 /* Leaves it empty. */
 void tl_bench_cases_clear(tl_bench_cases *cases);
 
-/* Whether both light the same frame: scene, size, lights, their range. */
+/* Whether both have the same G-buffer (scene, size); and the same lights in it. */
+int tl_bench_case_same_gbuffer(const tl_bench_case *a, const tl_bench_case *b);
 int tl_bench_case_same_frame(const tl_bench_case *a, const tl_bench_case *b);
 
 #endif

@@ -16,7 +16,8 @@ typedef struct tl_bench_frame {
     uint8_t *rgb; /* [height][width][3] */
 } tl_bench_frame;
 
-/* Makes *frame the one of this case, where it is not that already. Fails with TL_ERR_ARGUMENT or
+/* Makes *frame the one of this case, as far as it is not that already: cases of one scene and size
+ * share the G-buffer. Fails with TL_ERR_ARGUMENT or
  * TL_ERR_MEMORY; then *frame is empty. */
 tl_status tl_bench_frame_make(tl_bench_frame *frame, const tl_bench_case *of, tl_error *err);
 

@@ -137,10 +137,16 @@ void tl_bench_cases_clear(tl_bench_cases *cases)
     *cases = (tl_bench_cases){0};
 }
 
+int tl_bench_case_same_gbuffer(const tl_bench_case *a, const tl_bench_case *b)
+{
+    return a->scene == b->scene && a->scene_options.width == b->scene_options.width &&
+           a->scene_options.height == b->scene_options.height;
+}
+
 int tl_bench_case_same_frame(const tl_bench_case *a, const tl_bench_case *b)
 {
     const tl_bench_scene_options *x = &a->scene_options, *y = &b->scene_options;
-    return a->scene == b->scene && x->width == y->width && x->height == y->height &&
-           x->light_count == y->light_count && x->seed == y->seed &&
-           x->lights_per_tile == y->lights_per_tile && x->range == y->range;
+    return tl_bench_case_same_gbuffer(a, b) && x->light_count == y->light_count &&
+           x->seed == y->seed && x->lights_per_tile == y->lights_per_tile &&
+           x->range == y->range;
 }

@@ -38,6 +38,12 @@ static void list_scenes_and_baselines(void)
                tl_baselines[i]->source);
 }
 
+static tl_status (*const modes[])(bench_session *session, tl_error *err) = {
+    [BENCH_CASES] = bench_run_cases,
+    [BENCH_BASELINES] = bench_run_baselines,
+    [BENCH_GROWTH] = bench_run_growth,
+};
+
 static tl_status run(bench_session *session, const bench_options *options, tl_error *err)
 {
     tl_status status = TL_OK;
@@ -48,10 +54,7 @@ static tl_status run(bench_session *session, const bench_options *options, tl_er
         goto done;
     }
     TRY(bench_session_begin(session, options, err));
-    if (options->mode == BENCH_BASELINES)
-        TRY(bench_run_baselines(session, err));
-    else
-        TRY(bench_run_cases(session, err));
+    TRY(modes[options->mode](session, err));
 done:
     return status;
 }

@@ -16,6 +16,7 @@ enum {
     OPTION_SECONDS,
     OPTION_BASELINES,
     OPTION_QUICK,
+    OPTION_GROWTH,
     OPTION_LIST,
     OPTION_CSV,
     OPTION_JSON,
@@ -40,6 +41,9 @@ static void check_together(const bench_options *options, struct argp_state *stat
         argp_error(state, "--quick is for --baselines");
     if (options->mode != BENCH_CASES && (options->csv || options->sets || options->compare))
         argp_error(state, "--csv, --case and --compare are for cases");
+    if (options->mode == BENCH_GROWTH && options->lists_given)
+        argp_error(state,
+                   "--growth has points of its own; of the axes it takes --device alone");
     if (options->fail_if_slower && !options->compare)
         argp_error(state, "--fail-if-slower is for --compare");
 }
@@ -50,13 +54,14 @@ static error_t parse(int key, char *text, struct argp_state *state)
     bench_options *options = state->input;
     if (key >= OPTION_AXES && key < OPTION_AXES + TL_AXIS_COUNT) {
         options->lists.of[key - OPTION_AXES] = text;
-        options->lists_given = true;
+        options->lists_given = options->lists_given || key != OPTION_AXES + TL_AXIS_DEVICE;
         return 0;
     }
     switch (key) {
     case OPTION_CASE: options->sets = text; return 0;
     case OPTION_SAMPLES:
         options->rule.least_samples = value_integer(state, "--samples", text, 1, 1000);
+        options->samples_given = true;
         return 0;
     case OPTION_DEVIATION:
         options->rule.deviation = 0.01 * value_number(state, "--deviation", text, 0.0, 100.0);
@@ -66,6 +71,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         options->seconds_given = true;
         return 0;
     case OPTION_BASELINES: options->mode = BENCH_BASELINES; return 0;
+    case OPTION_GROWTH: options->mode = BENCH_GROWTH; return 0;
     case OPTION_QUICK: options->quick = true; return 0;
     case OPTION_LIST: options->mode = BENCH_LIST; return 0;
     case OPTION_CSV: options->csv = text; return 0;
@@ -97,13 +103,21 @@ static const struct argp_option fixed_options[] = {
      "With --baselines: in less than 45 s where kernels are compiled; what takes more than a "
      "second a frame is sampled once, and then has no interval",
      1},
+    {"growth", OPTION_GROWTH, NULL, 0,
+     "From 64 to 65536 lights and from 640x360 to 7680x4320 pixels: what a frame's time and "
+     "memory "
+     "grow with, as prices of a pixel, a pair, a light and a tile",
+     1},
     {NULL, 0, NULL, 0, "Sampling:", 3},
     {"samples", OPTION_SAMPLES, "N", 0,
-     "At least so many frames a case, after one that warms up (default 10)", 3},
+     "At least so many frames a case, after one that warms up (default 10; with --growth 5)",
+     3},
     {"deviation", OPTION_DEVIATION, "PERCENT", 0,
      "Enough when half the median's 95 % interval is below this (default 1)", 3},
     {"seconds", OPTION_SECONDS, "S", 0,
-     "Or when this long a time has passed (default 2; with --baselines 8, --quick 1.5)", 3},
+     "Or when this long a time has passed (default 2; with --baselines 8, --quick 1.5, "
+     "--growth 3)",
+     3},
     {NULL, 0, NULL, 0, "Results:", 4},
     {"json", OPTION_JSON, "FILE", 0, "All there is, as one JSON object (- is standard output)",
      4},

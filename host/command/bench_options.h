@@ -8,15 +8,15 @@
 #include <argp.h>
 #include <stdbool.h>
 
-typedef enum bench_mode { BENCH_CASES, BENCH_BASELINES, BENCH_LIST } bench_mode;
+typedef enum bench_mode { BENCH_CASES, BENCH_BASELINES, BENCH_GROWTH, BENCH_LIST } bench_mode;
 
 typedef struct bench_options {
     bench_mode mode;
     tl_bench_lists lists; /* of the axes that were given */
-    bool lists_given;
-    const char *sets; /* "scenes,tiles"; NULL: none named */
+    bool lists_given;     /* of any but the device's */
+    const char *sets;     /* "scenes,tiles"; NULL: none named */
     tl_sampling_rule rule;
-    bool seconds_given;
+    bool samples_given, seconds_given;
     bool quick; /* baselines: those above a second once */
     bool quiet;
     const char *csv, *json; /* where to; NULL: nowhere */
