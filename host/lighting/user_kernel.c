@@ -47,15 +47,24 @@ tl_status tl_user_kernel_copy(tl_user_kernel *user, char **memory, tl_error *err
 
 typedef enum line_kind { LINE_PLAIN, LINE_INCLUDES_OURS, LINE_INCLUDES_OTHER } line_kind;
 
+static const char *skip_blanks(const char *text)
+{
+    return text + strspn(text, " \t");
+}
+
 /* Of the line at `line`: whether it includes a file of kernels/, which the text follows already. */
 static line_kind kind_of(const char *line)
 {
+    static const char include[] = "include";
     char name[64] = "", marker[80];
-    int end = 0;
-    sscanf(line, " # include %n", &end);
-    if (end == 0)
+    line = skip_blanks(line);
+    if (*line != '#')
         return LINE_PLAIN;
-    if (sscanf(line + end, "\"%63[^\"\n]\"", name) != 1)
+    line = skip_blanks(line + 1);
+    if (strncmp(line, include, sizeof include - 1) != 0)
+        return LINE_PLAIN;
+    line = skip_blanks(line + sizeof include - 1);
+    if (sscanf(line, "\"%63[^\"\n]\"", name) != 1)
         return LINE_INCLUDES_OTHER;
     snprintf(marker, sizeof marker, "#line 1 \"%s\"\n", name);
     return strstr(tl_kernel_text, marker) ? LINE_INCLUDES_OURS : LINE_INCLUDES_OTHER;
