@@ -6,11 +6,9 @@
  * in which they were listed, which changes from run to run by as little as rounding does. */
 #include "baseline_tables.h"
 #include "buffers.h"
-#include "kernel_program.h"
+#include "classic_program.h"
 #include "prepared.h"
 #include "try.h"
-
-#include "embedded_classic.h"
 
 #include <stdlib.h>
 
@@ -20,7 +18,7 @@ typedef struct classic {
     tl_device *device;
     const tl_gbuffer *gbuffer;
     tl_prepared prepared;
-    tl_kernel_options options;
+    classic_program program;
     tl_buffers buffers; /* planes, lights, radiance */
     cl_mem longest;     /* [2] uint, as the kernel describes it */
 } classic;
@@ -32,6 +30,7 @@ void classic_destroy(void *state)
         return;
     if (c->longest)
         clReleaseMemObject(c->longest);
+    tl_classic_program_clear(&c->program);
     tl_buffers_release(&c->buffers);
     tl_prepared_clear(&c->prepared);
     free(c);
@@ -64,40 +63,40 @@ done:
     return status;
 }
 
-static tl_status set_arguments(classic *c, cl_kernel kernel, const tl_frame *frame)
+static tl_status set_arguments(classic *c, const tl_frame *frame, tl_error *err)
 {
     const cl_mem buffers[] = {c->buffers.of[TL_BUFFER_PLANES].memory,
                               c->buffers.of[TL_BUFFER_LIGHTS].memory,
                               c->buffers.of[TL_BUFFER_RADIANCE].memory, c->longest};
-    cl_int code = clSetKernelArg(kernel, 0, sizeof *frame, frame);
-    for (cl_uint i = 0; code == CL_SUCCESS && i < 4; i++)
-        code = clSetKernelArg(kernel, i + 1, sizeof buffers[i], &buffers[i]);
-    return code;
+    cl_int code = clSetKernelArg(c->program.kernel, 0, sizeof *frame, frame);
+    for (cl_uint i = 0; code == CL_SUCCESS && i < sizeof buffers / sizeof buffers[0]; i++)
+        code = clSetKernelArg(c->program.kernel, i + 1, sizeof buffers[i], &buffers[i]);
+    return tl_cl(code, "clSetKernelArg", err);
+}
+
+static size_t item_count(const tl_frame *frame)
+{
+    return (size_t)frame->tiles_x * frame->tiles_y * TILE * TILE;
 }
 
 /* Lights the tiles of `frame`, and waits. */
 static tl_status launch(classic *c, const tl_frame *frame, cl_uint longest[2], tl_error *err)
 {
     static const size_t group[2] = {TILE, TILE};
-    const tl_user_kernel user = {.text = tl_classic_cl, .entry = "light_tiles_classic"};
     const size_t items[2] = {(size_t)frame->tiles_x * TILE, (size_t)frame->tiles_y * TILE};
-    const tl_program *program = NULL;
-    tl_status status = TL_OK;
     const cl_command_queue queue = c->device->queue;
+    tl_status status = TL_OK;
     longest[0] = longest[1] = 0;
-    TRY(tl_program_find(c->device, &c->options, &user, &program, err));
-    TRY(tl_cl(set_arguments(c, program->shade_tiles, frame), "clSetKernelArg", err));
+    TRY(set_arguments(c, frame, err));
     TRY(tl_cl(clEnqueueWriteBuffer(queue, c->longest, CL_TRUE, 0, 2 * sizeof(cl_uint), longest,
                                    0, NULL, NULL),
               "clEnqueueWriteBuffer", err));
-    TRY(tl_cl(clEnqueueNDRangeKernel(queue, program->shade_tiles, 2, NULL, items, group, 0,
-                                     NULL, NULL),
-              "light_tiles_classic", err));
+    TRY(tl_cl(
+        clEnqueueNDRangeKernel(queue, c->program.kernel, 2, NULL, items, group, 0, NULL, NULL),
+        "light_tiles_classic", err));
     TRY(tl_cl(clEnqueueReadBuffer(queue, c->longest, CL_TRUE, 0, 2 * sizeof(cl_uint), longest,
                                   0, NULL, NULL),
               "clEnqueueReadBuffer", err));
-    tl_program_note_launch(program, program->shade_tiles, items[0] * items[1], TILE * TILE);
-    tl_program_keep(c->device, program);
 done:
     return status;
 }
@@ -112,14 +111,22 @@ static tl_status bind_radiance(classic *c, float *planes, tl_error *err)
 
 /* Drivers compile a kernel in full when it is first launched, for the size of work-groups and of the
  * grid: the whole frame, without lights. */
-static tl_status compile(classic *c, tl_error *err)
+static tl_status make_program(classic *c, tl_error *err)
 {
+    const tl_needs *needs = &c->prepared.needs;
+    const tl_kernel_options options = {.width = 1,
+                                       .orthographic = needs->orthographic,
+                                       .present = needs->present,
+                                       .specular = needs->specular,
+                                       .falloffs = needs->falloffs};
     tl_frame frame = c->prepared.frame;
     cl_uint longest[2];
     tl_status status = TL_OK;
     frame.global_count = frame.light_count = 0;
     TRY(tl_buffers_reserve(&c->buffers, c->device, TL_BUFFER_RADIANCE, 3 * plane_size(c), err));
+    TRY(tl_classic_program_make(c->device, &options, item_count(&frame), &c->program, err));
     TRY(launch(c, &frame, longest, err));
+    tl_classic_program_keep(&c->program, item_count(&frame), TILE * TILE);
 done:
     return status;
 }
@@ -133,13 +140,8 @@ tl_status classic_create(const tl_baseline_input *input, void **out, tl_error *e
     c->device = input->device;
     c->gbuffer = input->gbuffer;
     TRY(tl_prepare(input->gbuffer, input->lights, TILE, 1, 0.0f, NULL, &c->prepared, err));
-    c->options = (tl_kernel_options){.width = 1,
-                                     .orthographic = c->prepared.needs.orthographic,
-                                     .present = c->prepared.needs.present,
-                                     .specular = c->prepared.needs.specular,
-                                     .falloffs = c->prepared.needs.falloffs};
     TRY(upload(c, err));
-    TRY(compile(c, err));
+    TRY(make_program(c, err));
     *out = c;
     c = NULL;
 done:

@@ -3,7 +3,8 @@
  * pixel, with the language's own functions. Andersson, "Parallel Graphics in Frostbite" (SIGGRAPH
  * 2009); Lauritzen, "Deferred Rendering for Current and Future Rendering Pipelines" (SIGGRAPH 2010).
  *
- * Joined behind the texts of kernels/, built with one lane. */
+ * Joined behind the texts of kernels/, of whose headers it uses the formulas; built with one lane. */
+#line 10 "classic.cl"
 #define CLASSIC_TILE 16 /* px, and work-items per side of a work-group */
 #define CLASSIC_CAP 256 /* lights per tile: local memory is of one size */
 
@@ -81,6 +82,38 @@ TL_INLINE received add_unlisted(received sum, tl_needs needs, surface s, tl_view
                                          : add_point(sum, needs, s, light, 0);
 }
 
+/* A plane of the pixel at `in` in the first one; `otherwise` where the frame lacks it. */
+TL_INLINE float plane_of(__global const float *in,
+                         size_t plane_size,
+                         uint plane,
+                         float otherwise)
+{
+    return TL_PRESENT & TL_HAS(plane) ? in[TL_SLOT(TL_PRESENT, plane) * plane_size] : otherwise;
+}
+
+TL_INLINE vec3 three_of(__global const float *in, size_t plane_size, uint first)
+{
+    const vec3 v = {plane_of(in, plane_size, first, 0.0f),
+                    plane_of(in, plane_size, first + 1, 0.0f),
+                    plane_of(in, plane_size, first + 2, 0.0f)};
+    return v;
+}
+
+TL_INLINE pixel load_classic(__global const float *in, size_t plane_size)
+{
+    pixel p;
+    p.depth = plane_of(in, plane_size, TL_DEPTH, INFINITY);
+    p.normal = three_of(in, plane_size, TL_NORMAL_X);
+    p.albedo = three_of(in, plane_size, TL_ALBEDO_R);
+    p.specular = three_of(in, plane_size, TL_SPECULAR_R);
+    p.emissive = three_of(in, plane_size, TL_EMISSIVE_R);
+    p.shininess = plane_of(in, plane_size, TL_SHININESS, 0.0f);
+    p.metallic = plane_of(in, plane_size, TL_METALLIC, 0.0f);
+    p.roughness = plane_of(in, plane_size, TL_ROUGHNESS, 0.0f);
+    p.occlusion = plane_of(in, plane_size, TL_OCCLUSION, 1.0f);
+    return p;
+}
+
 /* planes    [popcount(TL_PRESENT)][rows][pitch], planes.h
  * lights    [light_count]: first the global_count that reach everything
  * radiance  [3][rows][pitch], linear Rec. 709; written in full for every tile of the image
@@ -101,7 +134,7 @@ light_tiles_classic(const tl_frame frame,
     const size_t plane_size = (size_t)frame.rows * frame.pitch;
     const size_t at = (size_t)row * frame.pitch + column;
     const tl_needs needs = needs_of_build();
-    const pixel in = load_pixel(planes + at, plane_size);
+    const pixel in = load_classic(planes + at, plane_size);
     const phong_material m = material_of(needs, in);
 
     if (item == 0) {
