@@ -80,6 +80,8 @@ static void cases_are_recorded(void **state)
         assert_non_null(json_string_value(at(record, "device.driver")));
         for (size_t k = 0; k < COUNT_OF(numbers); k++)
             assert_true(number_at(record, numbers[k]) >= 0.0);
+        assert_non_null(strstr(json_string_value(at(record, "build_options")), "-D TL_WIDTH="));
+        assert_summary(record, "shade_processors", 6.0);
         assert_summary(record, "times_ms.frame", 6.0);
         assert_summary(record, "times_ms.kernel_shade", 6.0);
         assert_summary(record, "times_ms.post", 6.0);
@@ -149,6 +151,20 @@ static void ratios_have_their_keys(void **state)
     json_decref(root);
 }
 
+/* A cold start compiles, a warm one does not; each begins a kernel before it ends. */
+static void starts_are_measured(void **state)
+{
+    (void)state;
+    expect_run("$T bench --startup --samples 2 --seconds 0 --json s.json", 0, "warm", "");
+    json_t *root = read_json("s.json");
+    assert_summary(root, "startup.cold.first_kernel_ms", 3.0);
+    assert_summary(root, "startup.warm.first_kernel_ms", 2.0);
+    assert_true(number_at(root, "startup.warm.first_kernel_ms.least") > 0.0);
+    assert_true(number_at(root, "startup.warm.process_ms.least") >
+                number_at(root, "startup.warm.first_kernel_ms.least"));
+    json_decref(root);
+}
+
 static void standard_output_is_the_report_alone(void **state)
 {
     (void)state;
@@ -174,6 +190,7 @@ int main(void)
         cmocka_unit_test(csv_has_a_value_per_name),
         cmocka_unit_test(slower_cases_are_found),
         cmocka_unit_test(ratios_have_their_keys),
+        cmocka_unit_test(starts_are_measured),
         cmocka_unit_test(standard_output_is_the_report_alone),
     };
     return cmocka_run_group_tests(tests, enter_folder, NULL);

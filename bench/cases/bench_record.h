@@ -10,10 +10,11 @@
 typedef struct tl_bench_record {
     tl_bench_case of;
     tl_device_info device;
-    tl_peaks peaks;       /* of the device; all zero where none were measured */
-    uint32_t plane_count; /* of the frame */
-    uint32_t pitch, rows; /* px */
-    double range;         /* m, of every light */
+    tl_peaks peaks;          /* of the device; all zero where none were measured */
+    uint32_t plane_count;    /* of the frame */
+    uint32_t pitch, rows;    /* px */
+    double range;            /* m, of every light */
+    char build_options[512]; /* of the kernels, as the OpenCL compiler was given them */
     tl_lighting_counts counts;
     tl_pair_counts pairs;
 
@@ -24,6 +25,7 @@ typedef struct tl_bench_record {
     tl_summary kernel_cull_ms;              /* from profiling events */
     tl_summary kernel_shade_ms;             /* the same */
     tl_summary post_ms;                     /* from radiance to 8 bits, wall time */
+    tl_summary shade_processors;            /* how many shading kept busy */
     int stage_count;                        /* of tl_lighting_run, wall time */
     const char *stage_names[TL_MAX_STAGES]; /* string literals */
     tl_summary stage_ms[TL_MAX_STAGES];

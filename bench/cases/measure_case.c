@@ -6,7 +6,7 @@
 
 /* What every sample adds to. */
 typedef struct measuring {
-    tl_samples frame, cull, shade, post, stages[TL_MAX_STAGES];
+    tl_samples frame, cull, shade, post, processors, stages[TL_MAX_STAGES];
     int stage_count;
     const char *stage_names[TL_MAX_STAGES];
 } measuring;
@@ -43,6 +43,9 @@ static tl_status sample(tl_lighting *lighting,
     TRY(tl_samples_add(&m->post, milliseconds_since(start), err));
     TRY(tl_samples_add(&m->cull, counts->device_cull_ms, err));
     TRY(tl_samples_add(&m->shade, counts->device_shade_ms, err));
+    if (counts->shade_wall_ms > 0.0)
+        TRY(tl_samples_add(&m->processors, counts->shade_processor_ms / counts->shade_wall_ms,
+                           err));
     for (int i = 0; i < timings.count; i++)
         TRY(tl_samples_add(stage_of(m, timings.stages[i].name), timings.stages[i].ms, err));
 done:
@@ -55,6 +58,7 @@ static void clear(measuring *m)
     tl_samples_clear(&m->cull);
     tl_samples_clear(&m->shade);
     tl_samples_clear(&m->post);
+    tl_samples_clear(&m->processors);
     for (int i = 0; i < TL_MAX_STAGES; i++)
         tl_samples_clear(&m->stages[i]);
 }
@@ -82,6 +86,7 @@ static void summarize(const measuring *m, tl_bench_record *out)
     out->kernel_cull_ms = tl_samples_summarize(&m->cull);
     out->kernel_shade_ms = tl_samples_summarize(&m->shade);
     out->post_ms = tl_samples_summarize(&m->post);
+    out->shade_processors = tl_samples_summarize(&m->processors);
     out->stage_count = m->stage_count;
     for (int i = 0; i < m->stage_count; i++) {
         out->stage_names[i] = m->stage_names[i];
@@ -119,6 +124,7 @@ tl_status tl_bench_measure(tl_device *device,
         TRY(sample(lighting, frame, &m, &record.counts, err));
     } while (!tl_sampling_done(rule, &m.frame, start));
     summarize(&m, &record);
+    tl_lighting_build_options(lighting, record.build_options, sizeof record.build_options);
     *out = record;
 done:
     tl_lighting_destroy(lighting);

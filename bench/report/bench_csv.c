@@ -35,7 +35,9 @@ static void print_names(FILE *out)
         const char *name = tl_bench_times[i].name;
         fprintf(out, ",%s_median,%s_low,%s_high,%s_least,%s_p90", name, name, name, name, name);
     }
-    fputs(",first_frame,build,pairs_culled,pairs_in_range,pairs_lit,device_bytes", out);
+    fputs(",shade_processors,first_frame,build,pairs_culled,pairs_in_range,pairs_lit,device_"
+          "bytes",
+          out);
     for (int i = 0; i < tl_figure_count; i++)
         fprintf(out, ",%s", tl_figures[i].name);
     fputc('\n', out);
@@ -56,6 +58,7 @@ static void print_record(FILE *out, const tl_bench_record *r)
         for (size_t k = 0; k < sizeof values / sizeof values[0]; k++)
             print_number(out, values[k]);
     }
+    print_number(out, r->shade_processors.median);
     print_number(out, r->first_ms);
     print_number(out, r->build_ms);
     fprintf(out, ",%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64, r->counts.pair_count,

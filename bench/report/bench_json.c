@@ -86,6 +86,9 @@ json_t *tl_bench_json_record(const tl_bench_record *r)
     json_t *pairs = json_pack("{sI sI sI}", "culled", (json_int_t)c->pair_count, "in_range",
                               (json_int_t)r->pairs.in_range, "lit", (json_int_t)r->pairs.lit);
     if (!object || json_object_set_new(object, "frame", frame) != 0 ||
+        json_object_set_new(object, "build_options", json_string(r->build_options)) != 0 ||
+        json_object_set_new(object, "shade_processors",
+                            tl_bench_json_summary(&r->shade_processors)) != 0 ||
         json_object_set_new(object, "pairs", pairs) != 0 ||
         json_object_set_new(object, "first_frame_ms", tl_json_number(r->first_ms)) != 0 ||
         json_object_set_new(object, "build_ms", tl_json_number(r->build_ms)) != 0) {

@@ -42,6 +42,7 @@ static tl_status (*const modes[])(bench_session *session, tl_error *err) = {
     [BENCH_CASES] = bench_run_cases,
     [BENCH_BASELINES] = bench_run_baselines,
     [BENCH_GROWTH] = bench_run_growth,
+    [BENCH_STARTUP] = bench_run_startup,
 };
 
 static tl_status run(bench_session *session, const bench_options *options, tl_error *err)

@@ -17,6 +17,7 @@ enum {
     OPTION_BASELINES,
     OPTION_QUICK,
     OPTION_GROWTH,
+    OPTION_STARTUP,
     OPTION_LIST,
     OPTION_CSV,
     OPTION_JSON,
@@ -71,6 +72,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         options->seconds_given = true;
         return 0;
     case OPTION_BASELINES: options->mode = BENCH_BASELINES; return 0;
+    case OPTION_STARTUP: options->mode = BENCH_STARTUP; return 0;
     case OPTION_GROWTH: options->mode = BENCH_GROWTH; return 0;
     case OPTION_QUICK: options->quick = true; return 0;
     case OPTION_LIST: options->mode = BENCH_LIST; return 0;
@@ -107,6 +109,11 @@ static const struct argp_option fixed_options[] = {
      "From 64 to 65536 lights and from 640x360 to 7680x4320 pixels: what a frame's time and "
      "memory "
      "grow with, as prices of a pixel, a pair, a light and a tile",
+     1},
+    {"startup", OPTION_STARTUP, NULL, 0,
+     "Start the program on a small frame, with nothing compiled and with all compiled: how "
+     "long "
+     "until its first kernel begins",
      1},
     {NULL, 0, NULL, 0, "Sampling:", 3},
     {"samples", OPTION_SAMPLES, "N", 0,

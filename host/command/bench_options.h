@@ -8,7 +8,13 @@
 #include <argp.h>
 #include <stdbool.h>
 
-typedef enum bench_mode { BENCH_CASES, BENCH_BASELINES, BENCH_GROWTH, BENCH_LIST } bench_mode;
+typedef enum bench_mode {
+    BENCH_CASES,
+    BENCH_BASELINES,
+    BENCH_GROWTH,
+    BENCH_STARTUP,
+    BENCH_LIST
+} bench_mode;
 
 typedef struct bench_options {
     bench_mode mode;

@@ -4,6 +4,7 @@
 #include "reference.h"
 #include "try.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -142,6 +143,28 @@ done:
     if (context.program && tl_program_keep(lighting->device, context.program))
         tl_timings_end(timings, "keep", clock);
     return status;
+}
+
+void tl_lighting_build_options(const tl_lighting *lighting, char *text, size_t size)
+{
+    const tl_program *program = NULL;
+    text[0] = '\0';
+    if (precisions[lighting->options.precision].on_host || !lighting->prepared.lights)
+        return;
+    const tl_kernel_options kernels = kernel_options(lighting);
+    char *options = NULL;
+    size_t options_size = 0;
+    if (tl_program_find(lighting->device, &kernels, &lighting->options.kernel, &program,
+                        NULL) != TL_OK)
+        return;
+    clGetProgramBuildInfo(program->program, lighting->device->id, CL_PROGRAM_BUILD_OPTIONS, 0,
+                          NULL, &options_size);
+    options = options_size ? malloc(options_size) : NULL;
+    if (options &&
+        clGetProgramBuildInfo(program->program, lighting->device->id, CL_PROGRAM_BUILD_OPTIONS,
+                              options_size, options, NULL) == CL_SUCCESS)
+        snprintf(text, size, "%s", options);
+    free(options);
 }
 
 /* What is known before a light is listed. */

@@ -155,6 +155,10 @@ tl_status tl_lighting_run(tl_lighting *lighting,
                           tl_lighting_counts *counts,
                           tl_error *err);
 
+/* What the kernels of the last frame were built with, as the OpenCL compiler was given it; empty where
+ * they were none, as on the CPU paths. text: [size], NUL-terminated, cut to fit. Cannot fail. */
+void tl_lighting_build_options(const tl_lighting *lighting, char *text, size_t size);
+
 #ifdef __cplusplus
 }
 #endif
