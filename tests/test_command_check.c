@@ -111,13 +111,32 @@ static void bands_pass(void **state)
         0, "passed", "");
 }
 
+/* The bench takes the same options, and refuses what is no kernel alike. */
+static void the_bench_measures_it(void **state)
+{
+    (void)state;
+    expect_run(
+        "$T bench --kernel \"$TILELIGHT_SOURCE/docs/kernels/plain.cl\" --entry plain --size "
+        "64x64 --lights 16 --samples 2 --seconds 0 --json b.json && cat b.json",
+        0, "\"yours_over_ours\"", "");
+    expect_run(
+        "$T bench --kernel \"$TILELIGHT_SOURCE/docs/kernels/plain.cl\" --entry other --size "
+        "64x64",
+        3, "", "has no kernel \"other\"; its kernels: plain");
+    expect_run("$T bench --kernel missing.cl --entry plain", 3, "", "missing.cl");
+    expect_run("$T bench --kernel k.cl", 2, "", "--entry is missing");
+    expect_run("$T bench --kernel k.cl --entry k --baselines", 2, "", "excludes --baselines");
+    expect_run("$T bench --kernel \"$TILELIGHT_SOURCE/docs/kernels/plain.cl\" --entry plain "
+               "--precision twin --size 64x64",
+               2, "", "runs on a device");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(each_case_says_what_it_should),
-        cmocka_unit_test(other_files),
-        cmocka_unit_test(errors_are_pictured),
-        cmocka_unit_test(bands_pass),
+        cmocka_unit_test(each_case_says_what_it_should), cmocka_unit_test(other_files),
+        cmocka_unit_test(errors_are_pictured),           cmocka_unit_test(bands_pass),
+        cmocka_unit_test(the_bench_measures_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

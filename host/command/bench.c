@@ -43,6 +43,7 @@ static tl_status (*const modes[])(bench_session *session, tl_error *err) = {
     [BENCH_BASELINES] = bench_run_baselines,
     [BENCH_GROWTH] = bench_run_growth,
     [BENCH_STARTUP] = bench_run_startup,
+    [BENCH_KERNEL] = bench_run_kernel,
 };
 
 static tl_status run(bench_session *session, const bench_options *options, tl_error *err)

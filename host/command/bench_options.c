@@ -42,6 +42,8 @@ static void check_together(const bench_options *options, struct argp_state *stat
         argp_error(state, "--quick is for --baselines");
     if (options->mode != BENCH_CASES && (options->csv || options->sets || options->compare))
         argp_error(state, "--csv, --case and --compare are for cases");
+    if (options->kernel.file && options->mode != BENCH_KERNEL && options->mode != BENCH_LIST)
+        argp_error(state, "--kernel excludes --baselines, --growth and --startup");
     if (options->mode == BENCH_GROWTH && options->lists_given)
         argp_error(state,
                    "--growth has points of its own; of the axes it takes --device alone");
@@ -59,6 +61,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         return 0;
     }
     switch (key) {
+    case ARGP_KEY_INIT: state->child_inputs[0] = &options->kernel; return 0;
     case OPTION_CASE: options->sets = text; return 0;
     case OPTION_SAMPLES:
         options->rule.least_samples = value_integer(state, "--samples", text, 1, 1000);
@@ -87,7 +90,11 @@ static error_t parse(int key, char *text, struct argp_state *state)
         options->quiet = true;
         console_quiet(true);
         return 0;
-    case ARGP_KEY_SUCCESS: check_together(options, state); return 0;
+    case ARGP_KEY_SUCCESS:
+        if (options->kernel.file && options->mode == BENCH_CASES)
+            options->mode = BENCH_KERNEL;
+        check_together(options, state);
+        return 0;
     default: return value_argument(key, text, state, &none);
     }
 }
@@ -154,9 +161,12 @@ void bench_parse(int argc, char **argv, bench_options *options)
 {
     struct argp_option table[MOST_OPTIONS] = {
         {NULL, 0, NULL, 0, "Axes; the cases are the product of their lists:", 2}};
+    static const struct argp_child children[] = {
+        {&kernel_argp, 0, "Your kernel, by turns with ours:", 3}, {0}};
     const struct argp argp = {
         .options = table,
         .parser = parse,
+        .children = children,
         .doc = "Measures how fast scenes of its own are lit: wall time, kernel time, and how "
                "near to what the device can do at most.",
     };

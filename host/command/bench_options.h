@@ -3,6 +3,7 @@
 #define TL_BENCH_OPTIONS_H
 
 #include "bench_case.h"
+#include "kernel_options.h"
 #include "sampling.h"
 
 #include <argp.h>
@@ -13,6 +14,7 @@ typedef enum bench_mode {
     BENCH_BASELINES,
     BENCH_GROWTH,
     BENCH_STARTUP,
+    BENCH_KERNEL,
     BENCH_LIST
 } bench_mode;
 
@@ -21,6 +23,7 @@ typedef struct bench_options {
     tl_bench_lists lists; /* of the axes that were given */
     bool lists_given;     /* of any but the device's */
     const char *sets;     /* "scenes,tiles"; NULL: none named */
+    kernel_choice kernel; /* set in BENCH_KERNEL */
     tl_sampling_rule rule;
     bool samples_given, seconds_given;
     bool quick; /* baselines: those above a second once */
