@@ -33,7 +33,8 @@ typedef struct tl_frame {
     tl_u32 first_row;            /* the band's first row in the image, px */
     tl_u32 buffer_row;           /* where that row stands in the planes that are there, px */
     tl_u32 list_capacity;        /* entries that the lists of the band may have in all */
-    tl_u32 unused[2];
+    tl_u32 cell_capacity;        /* entries that the lists of cells may have in all */
+    tl_u32 has_cells;            /* 1: lights are listed by cell first */
 } tl_frame;
 TL_STATIC_ASSERT(sizeof(tl_frame) == 144, frame_is_nine_rows);
 
@@ -41,6 +42,11 @@ TL_STATIC_ASSERT(sizeof(tl_frame) == 144, frame_is_nine_rows);
 
 /* Lights that a row of tiles is culled against at a time (cull_rows.cl): a multiple of 64. */
 #define TL_LIGHT_BLOCK 1024
+
+/* Of the path for GPUs: work-items per group, a multiple of 32, and tiles along the side of a cell. */
+#define TL_GROUP 64
+#define TL_CELL 8
+#define TL_CELLS(tiles) (((tiles) + TL_CELL - 1) / TL_CELL)
 
 /* A light as the kernels take it: view space, colours multiplied out. All finite. Lights that
  * reach everything (no range, or directional) stand before all others. */

@@ -1,4 +1,4 @@
-/* The broad phase: one work-item per TL_RECT_GRANULE lights, their rectangles in tiles.
+/* The broad phase: the rectangles of lights in tiles, a work-item per run of lights.
  *
  * In double, because the eye may be one ulp outside a light's sphere; on a device without it the
  * host runs the same header (host/lighting/passes.c). */
@@ -8,8 +8,8 @@
 
 /* lights    [light_count]
  * rects     [TL_RECT_PLANE_COUNT][TL_RECT_PITCH(light_count)], written in full
- * list_end  becomes 0, where the lists of the frame start
- * Global size: TL_RECT_PITCH(light_count) / TL_RECT_GRANULE. */
+ * list_end  [2], become 0: where the lists of the frame start, those of tiles and those of cells
+ * Global size: a divisor of TL_RECT_PITCH(light_count). */
 __kernel void light_rects(const tl_frame frame,
                           __global const tl_view_light *restrict lights,
                           __global int *restrict rects,
@@ -18,8 +18,8 @@ __kernel void light_rects(const tl_frame frame,
     const tl_view_window window = view_window(&frame, TL_LEAST_DEPTH(TL_ORTHOGRAPHIC),
                                               TL_GREATEST_DEPTH, TL_ORTHOGRAPHIC);
     const uint pitch = TL_RECT_PITCH(frame.light_count);
-    const uint first = get_global_id(0) * TL_RECT_GRANULE;
-    for (uint i = first; i < first + TL_RECT_GRANULE; i++) {
+    const uint run = pitch / get_global_size(0), first = get_global_id(0) * run;
+    for (uint i = first; i < first + run; i++) {
         tl_tile_rect rect = {0, 0, 0, 0};
         if (i >= frame.global_count && i < frame.light_count)
             rect = tile_rect_of(window, &frame, lights[i]);
@@ -29,7 +29,7 @@ __kernel void light_rects(const tl_frame frame,
         rects[TL_RECT_Y1 * pitch + i] = rect.y1;
     }
     if (first == 0)
-        *list_end = 0;
+        list_end[0] = list_end[1] = 0;
 }
 
 #endif

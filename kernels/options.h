@@ -10,6 +10,7 @@
 /* X(name of the -D flag, field of tl_kernel_options)
  *
  *   width          lanes: 16 (AVX-512), 8 (AVX2), 4 or 1 (GPU)
+ *   by_pixel       1: the path for GPUs, width 1: work-groups cull, a work-item shades a pixel
  *   real_double    1: compute in double; G-buffer and radiance remain float
  *   precise_power  1: log2 and exp2 of the library for our polynomials; slow, other bits
  *   orthographic   1: parallel rays
@@ -18,6 +19,7 @@
  *   falloffs       the rows of falloff.h that lights of the scene use, bits 1 << row */
 #define TL_KERNEL_OPTIONS(X)           \
     X(TL_WIDTH, width)                 \
+    X(TL_BY_PIXEL, by_pixel)           \
     X(TL_REAL_DOUBLE, real_double)     \
     X(TL_PRECISE_POWER, precise_power) \
     X(TL_ORTHOGRAPHIC, orthographic)   \
@@ -26,10 +28,13 @@
     X(TL_FALLOFFS_USED, falloffs)
 
 #ifdef __OPENCL_C_VERSION__
-#    if !defined(TL_WIDTH) || !defined(TL_REAL_DOUBLE) || !defined(TL_PRECISE_POWER) || \
-        !defined(TL_ORTHOGRAPHIC) || !defined(TL_PRESENT) || !defined(TL_SPECULAR) ||   \
-        !defined(TL_FALLOFFS_USED)
+#    if !defined(TL_WIDTH) || !defined(TL_BY_PIXEL) || !defined(TL_REAL_DOUBLE) ||         \
+        !defined(TL_PRECISE_POWER) || !defined(TL_ORTHOGRAPHIC) || !defined(TL_PRESENT) || \
+        !defined(TL_SPECULAR) || !defined(TL_FALLOFFS_USED)
 #        error "build the kernels through tl_program_build(), which passes every option"
+#    endif
+#    if TL_BY_PIXEL && TL_WIDTH != 1
+#        error "a work-item for a pixel has a vector of one"
 #    endif
 #    if TL_WIDTH != 1 && TL_WIDTH != 4 && TL_WIDTH != 8 && TL_WIDTH != 16
 #        error "TL_WIDTH must be 1, 4, 8 or 16"

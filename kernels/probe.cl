@@ -28,6 +28,8 @@ __kernel void probe_layout(__global uint *out)
     out[n++] = OFFSET(frame, first_row);
     out[n++] = OFFSET(frame, buffer_row);
     out[n++] = OFFSET(frame, list_capacity);
+    out[n++] = OFFSET(frame, cell_capacity);
+    out[n++] = OFFSET(frame, has_cells);
     out[n++] = sizeof(tl_view_light);
     out[n++] = OFFSET(light, position);
     out[n++] = OFFSET(light, range2);

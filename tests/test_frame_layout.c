@@ -30,6 +30,8 @@ static const struct {
     FIELD(tl_frame, first_row),
     FIELD(tl_frame, buffer_row),
     FIELD(tl_frame, list_capacity),
+    FIELD(tl_frame, cell_capacity),
+    FIELD(tl_frame, has_cells),
     {"sizeof tl_view_light", sizeof(tl_view_light)},
     FIELD(tl_view_light, position),
     FIELD(tl_view_light, range2),

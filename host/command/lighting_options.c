@@ -13,14 +13,17 @@ enum {
     OPTION_PRECISION,
     OPTION_WIDTH,
     OPTION_CUTOFF,
-    OPTION_MEMORY
+    OPTION_MEMORY,
+    OPTION_PATH
 };
 
 #define WORD(name, word, meaning) [name] = word,
 #define WORD_AND_MEANING(name, word, meaning) " " word ": " meaning "."
 static const char *const cull_words[] = {TL_CULLS(WORD)};
+static const char *const path_words[] = {TL_PATHS(WORD)};
 static const char *const precision_words[] = {TL_PRECISIONS(WORD)};
 static const value_words culls = {"mode", "modes", cull_words, TL_CULL_COUNT};
+static const value_words paths = {"path", "paths", path_words, TL_PATH_COUNT};
 static const value_words precisions = {"precision", "precisions", precision_words,
                                        TL_PRECISION_COUNT};
 
@@ -44,6 +47,9 @@ static error_t parse(int key, char *text, struct argp_state *state)
         return 0;
     case OPTION_PRECISION:
         options->precision = (tl_precision)value_word(state, "--precision", text, &precisions);
+        return 0;
+    case OPTION_PATH:
+        options->path = (tl_path)value_word(state, "--path", text, &paths);
         return 0;
     case OPTION_TILE:
         options->tile_size =
@@ -78,6 +84,10 @@ static const struct argp_option options_table[] = {
      0},
     {"precision", OPTION_PRECISION, "NAME", 0,
      "How it is computed (default float)." TL_PRECISIONS(WORD_AND_MEANING), 0},
+    {"path", OPTION_PATH, "NAME", 0,
+     "How a frame is cut into work-items; the picture is the same bit for bit "
+     "(default auto)." TL_PATHS(WORD_AND_MEANING),
+     0},
     {"width", OPTION_WIDTH, "LANES", 0,
      "Vector lanes of the kernels: 1, 4, 8 or 16 (default: what suits the device)", 0},
     {"light-cutoff", OPTION_CUTOFF, "LUX", 0,

@@ -139,12 +139,12 @@ done:
 static int fits(const tl_pass_context *c,
                 const tl_band_options *options,
                 const tl_gbuffer *gbuffer,
-                uint64_t list_length,
+                const tl_list_lengths *lengths,
                 uint64_t *needed)
 {
     *needed = bytes_of_lights(c) + bytes_per_row(c, gbuffer) * c->frame.tiles_y +
-              list_length * sizeof(cl_uint);
-    return list_length <= UINT32_MAX &&
+              (lengths->tiles + lengths->cells) * sizeof(cl_uint);
+    return lengths->tiles <= UINT32_MAX && lengths->cells <= UINT32_MAX &&
            (options->memory_limit == 0 || *needed <= options->memory_limit);
 }
 
@@ -154,8 +154,30 @@ static int culls(const tl_pass_context *c, const tl_band_options *options)
     return options->cull && c->frame.light_count > c->frame.global_count;
 }
 
-/* *fitted is 0, and nothing listed, where the lists turn out too long and the band has more than one
- * row to give up. */
+/* *fitted is 0, and the lists are not complete, where they turn out too long and the band has more
+ * than one row to give up. */
+static tl_status list_band(tl_pass_context *c,
+                           const tl_band_options *options,
+                           const tl_gbuffer *gbuffer,
+                           uint64_t *list_length,
+                           double *ms,
+                           int *fitted,
+                           tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_list_lengths lengths;
+    uint64_t needed = 0;
+    TRY(tl_pass_cull(c, &lengths, ms, err));
+    while ((*fitted = fits(c, options, gbuffer, &lengths, &needed)) &&
+           !tl_lists_fit(c, &lengths))
+        TRY(tl_pass_cull_again(c, &lengths, ms, err));
+    if (!*fitted && c->frame.tiles_y == 1)
+        TRY(too_small(options, needed, err));
+    *list_length = lengths.tiles;
+done:
+    return status;
+}
+
 static tl_status cull_band(tl_pass_context *c,
                            const tl_band_options *options,
                            const tl_gbuffer *gbuffer,
@@ -164,18 +186,12 @@ static tl_status cull_band(tl_pass_context *c,
                            tl_error *err)
 {
     tl_status status = TL_OK;
-    uint64_t list_length = 0, needed = 0;
-    if (!culls(c, options)) {
+    uint64_t list_length = 0;
+    *fitted = 1;
+    if (culls(c, options))
+        TRY(list_band(c, options, gbuffer, &list_length, &counts->device_cull_ms, fitted, err));
+    else
         TRY(tl_pass_list_all(c, &list_length, err));
-        *fitted = 1;
-    } else {
-        TRY(tl_pass_cull(c, &list_length, &counts->device_cull_ms, err));
-        *fitted = fits(c, options, gbuffer, list_length, &needed);
-        if (!*fitted && c->frame.tiles_y == 1)
-            TRY(too_small(options, needed, err));
-        if (*fitted)
-            TRY(tl_pass_cull_again(c, list_length, &counts->device_cull_ms, err));
-    }
     TRY(tl_pass_finish(c, err));
     if (*fitted)
         counts->list_length += list_length;

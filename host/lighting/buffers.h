@@ -13,8 +13,9 @@
     X(TL_BUFFER_RECTS, "[TL_RECT_PLANE_COUNT][TL_RECT_PITCH] int")          \
     X(TL_BUFFER_STARTS, "[tiles_y * tiles_x] uint")                         \
     X(TL_BUFFER_ENDS, "[tiles_y * tiles_x] uint")                           \
-    X(TL_BUFFER_LENGTHS, "[tiles_y] ulong")                                 \
-    X(TL_BUFFER_LIST_END, "uint")                                           \
+    X(TL_BUFFER_CELLS, "[3][cells] uint")                                   \
+    X(TL_BUFFER_LIST_END, "[2] uint")                                       \
+    X(TL_BUFFER_CELL_LIST, "[entries of all cells] uint")                   \
     X(TL_BUFFER_LIST, "[list_length] uint")                                 \
     X(TL_BUFFER_PLANES, "[plane_count][rows][pitch] float, the G-buffer's") \
     X(TL_BUFFER_RADIANCE, "[3][rows][pitch] float, the image's")

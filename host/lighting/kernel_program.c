@@ -76,10 +76,12 @@ static tl_status check_kernel(cl_int code,
 
 static tl_status create_kernels(const tl_device *device, tl_program *made, tl_error *err)
 {
+    const tl_kernel_options *options = &made->options;
+    const int has_double = device->info.has_double;
     tl_status status = TL_OK;
     cl_int code;
-#define CREATE(name)                                                             \
-    if (device->info.has_double || strcmp(#name, "light_rects") != 0) {          \
+#define CREATE(name, is_there)                                                   \
+    if (is_there) {                                                              \
         made->name = clCreateKernel(made->program, name_of(made, #name), &code); \
         TRY(check_kernel(code, made, #name, err));                               \
     }
@@ -94,8 +96,8 @@ done:
 /* Accepts one that is all zero, and leaves it so. */
 static void release(tl_program *program)
 {
-#define RELEASE(name)  \
-    if (program->name) \
+#define RELEASE(name, is_there) \
+    if (program->name)          \
         clReleaseKernel(program->name);
     TL_KERNELS(RELEASE)
 #undef RELEASE
@@ -164,7 +166,7 @@ void tl_program_note_launch(const tl_program *program,
                             size_t items,
                             size_t group)
 {
-#define HANDLE(name) program->name,
+#define HANDLE(name, is_there) program->name,
     const cl_kernel kernels[] = {TL_KERNELS(HANDLE)};
 #undef HANDLE
     for (uint32_t i = 0; i < sizeof kernels / sizeof kernels[0]; i++)

@@ -15,12 +15,16 @@ typedef struct tl_kernel_options {
 #undef FIELD
 } tl_kernel_options;
 
-/* The kernels of a program.
- * X(name in the program and here) */
-#define TL_KERNELS(X) \
-    X(light_rects)    \
-    X(cull_rows)      \
-    X(shade_tiles)
+/* The kernels of a program; of those that it lacks the handle is NULL.
+ * X(name in the program and here, whether it is there: of `options` and `has_double`) */
+#define TL_KERNELS(X)                 \
+    X(light_rects, has_double)        \
+    X(cull_rows, 1)                   \
+    X(shade_tiles, 1)                 \
+    X(bound_tiles, options->by_pixel) \
+    X(list_cells, options->by_pixel)  \
+    X(list_tiles, options->by_pixel)  \
+    X(shade_pixels, options->by_pixel)
 
 typedef struct tl_program {
     tl_kernel_options options;
@@ -28,13 +32,13 @@ typedef struct tl_program {
     char *user_memory;   /* what `user` points into; owned */
     cl_program program;
     tl_keeper *keeper; /* owned */
-#define HANDLE(name) cl_kernel name;
+#define HANDLE(name, is_there) cl_kernel name;
     TL_KERNELS(HANDLE)
 #undef HANDLE
 } tl_program;
 
 /* The device's program for these options: every kernel, built the first time they are asked for. With
- * `user` (NULL, or its text NULL: ours), shade_tiles is the user's kernel. light_rects stays NULL on a device without double. The device owns *out and keeps the programs it
+ * `user` (NULL, or its text NULL: ours), shade_tiles is the user's kernel. The device owns *out and keeps the programs it
  * was asked for last, 16 of them, so *out holds until the next call. Fails with TL_ERR_DEVICE, of a
  * user's kernel TL_ERR_FORMAT, the message carrying the compiler's log; TL_ERR_FORMAT or
  * TL_ERR_ARGUMENT of user_kernel.h; TL_ERR_MEMORY. */

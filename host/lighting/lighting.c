@@ -37,6 +37,14 @@ tl_lighting_options tl_lighting_options_default(void)
         .cull = TL_CULL_SPLIT, .precision = TL_PRECISION_FLOAT, .tile_size = 16};
 }
 
+/* Whether a work-item shades a pixel. */
+static int is_by_pixel(const tl_device *device, const tl_lighting_options *options)
+{
+    if (options->path == TL_PATH_AUTO)
+        return strcmp(device->info.kind, "gpu") == 0;
+    return options->path == TL_PATH_GPU;
+}
+
 static int is_one_of(uint32_t value, const uint32_t *values, size_t count)
 {
     for (size_t i = 0; i < count; i++)
@@ -63,6 +71,11 @@ static tl_status check_options(const tl_device *device,
         return TL_OK;
     if (!device)
         return tl_fail(err, TL_ERR_ARGUMENT, "this precision needs a device");
+    if (is_by_pixel(device, options) && options->vector_width > 1)
+        return tl_fail(err, TL_ERR_ARGUMENT,
+                       "vectors of %u lanes on the gpu path, where a work-item shades a pixel: "
+                       "use --path cpu, or leave --width out",
+                       options->vector_width);
     if (precisions[options->precision].is_double && !device->info.has_double)
         return tl_fail(err, TL_ERR_NO_DEVICE,
                        "%s has no double precision: use --precision float or reference",
@@ -106,11 +119,13 @@ static tl_kernel_options kernel_options(const tl_lighting *lighting)
         width = 1; /* what the headers then are for */
     if (!o->vector_width && is_double && width > 1)
         width /= 2; /* as many bytes as the register has */
-    if (width == 2)
+    const int by_pixel = is_by_pixel(lighting->device, o);
+    if (width == 2 || by_pixel)
         width = 1;
     if (width > o->tile_size)
         width = o->tile_size; /* a vector never straddles two tiles */
     return (tl_kernel_options){.width = width,
+                               .by_pixel = (uint32_t)by_pixel,
                                .real_double = (uint32_t)is_double,
                                .orthographic = needs->orthographic,
                                .present = needs->present,
@@ -133,7 +148,8 @@ static tl_status run_on_device(tl_lighting *lighting,
     tl_pass_context context = {.device = lighting->device,
                                .buffers = &lighting->buffers,
                                .prepared = &lighting->prepared,
-                               .precision_is_double = (int)kernels.real_double};
+                               .precision_is_double = (int)kernels.real_double,
+                               .by_pixel = (int)kernels.by_pixel};
     double clock = tl_seconds();
     TRY(tl_program_find(lighting->device, &kernels, &options->kernel, &context.program, err));
     tl_timings_end(timings, "compile", clock);

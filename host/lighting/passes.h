@@ -6,7 +6,7 @@
 #include "kernel_program.h"
 #include "prepared.h"
 
-enum { TL_MAX_LAUNCHES = 8 };
+enum { TL_MAX_LAUNCHES = 16 };
 
 /* What the passes of one band work on; everything but `frame` and `launches` is borrowed. */
 typedef struct tl_pass_context {
@@ -16,7 +16,9 @@ typedef struct tl_pass_context {
     const tl_prepared *prepared;
     tl_frame frame; /* of the band */
     int precision_is_double;
-    double first_start_s; /* of the first launch that has finished, on tl_seconds' clock; or 0 */
+    int by_pixel; /* 1: the path for GPUs, and a program for it */
+    double
+        first_start_s; /* of the first launch that has finished, on tl_seconds' clock; or 0 */
     int launch_count;
     struct {
         cl_event event;
@@ -24,23 +26,34 @@ typedef struct tl_pass_context {
     } launches[TL_MAX_LAUNCHES];
 } tl_pass_context;
 
-/* Bounds the tiles and lists their lights. *list_length is how many entries the lists have in all:
- * if that is more than the list buffer has had room for, they are not complete, and
- * tl_pass_cull_again makes them. TL_BUFFER_PLANES and TL_BUFFER_LIGHTS are set; there is a light with
- * a range. Waits for the device. Device time is added to *ms by tl_pass_finish. Fails with
+/* Tiles of a band. */
+size_t tl_tile_count(const tl_frame *frame);
+
+/* Entries that lists have in all. */
+typedef struct tl_list_lengths {
+    uint64_t tiles, cells; /* cells: 0 where lights are not listed by cell first */
+} tl_list_lengths;
+
+/* Bounds the tiles and lists their lights. If the lengths are more than the list buffers have had room
+ * for (tl_lists_fit), the lists are not complete; if that holds for those of cells, the length of
+ * those of tiles is not known yet and 0. TL_BUFFER_PLANES and TL_BUFFER_LIGHTS are set; there is a
+ * light with a range. Waits for the device. Device time is added to *ms by tl_pass_finish. Fails with
  * TL_ERR_DEVICE or TL_ERR_MEMORY. */
 tl_status tl_pass_cull(tl_pass_context *context,
-                       uint64_t *list_length,
+                       tl_list_lengths *lengths,
                        double *ms,
                        tl_error *err);
 
-/* Makes room for lists of this length, below 2^32, and makes them again, where there was none. */
+/* Whether what was culled last is complete. */
+int tl_lists_fit(const tl_pass_context *context, const tl_list_lengths *lengths);
+
+/* Makes room for lists of these lengths, below 2^32, and makes them again; says their lengths anew. */
 tl_status tl_pass_cull_again(tl_pass_context *context,
-                             uint64_t list_length,
+                             tl_list_lengths *lengths,
                              double *ms,
                              tl_error *err);
 
-/* In place of the two: every tile lists every light that has a range. */
+/* In place of culling: every tile lists every light that has a range. */
 tl_status tl_pass_list_all(tl_pass_context *context, uint64_t *list_length, tl_error *err);
 
 /* Writes TL_BUFFER_RADIANCE. */

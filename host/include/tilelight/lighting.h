@@ -57,6 +57,20 @@ typedef enum tl_cull {
         TL_CULL_COUNT
 } tl_cull;
 
+/* How a frame is cut into work-items. The bits do not depend on it.
+ * X(name, word on the command line, meaning) */
+#define TL_PATHS(X)                                                                     \
+    X(TL_PATH_AUTO, "auto", "gpu on devices of that kind, cpu on all others")           \
+    X(TL_PATH_CPU, "cpu", "vectors; a work-item culls a row of tiles or shades a tile") \
+    X(TL_PATH_GPU, "gpu", "a work-group culls a tile, a work-item shades a pixel")
+
+typedef enum tl_path {
+#define TL_PATH_NAME(name, word, meaning) name,
+    TL_PATHS(TL_PATH_NAME)
+#undef TL_PATH_NAME
+        TL_PATH_COUNT
+} tl_path;
+
 /* X(name, word on the command line, meaning) */
 #define TL_PRECISIONS(X)                                                             \
     X(TL_PRECISION_FLOAT, "float", "single precision on the device")                 \
@@ -100,16 +114,18 @@ tl_status tl_user_kernel_text(const char *file, const char *source, char **out, 
 typedef struct tl_lighting_options {
     tl_cull cull;
     tl_precision precision;
-    uint32_t tile_size;    /* px: 8, 16, 32 or 64 */
-    uint32_t vector_width; /* lanes: 1, 4, 8 or 16; 0: what suits the device */
-    float light_cutoff;    /* a light without a range ends where it gives this (lx); 0: never */
+    tl_path path;
+    uint32_t tile_size; /* px: 8, 16, 32 or 64 */
+    uint32_t
+        vector_width;   /* lanes: 1, 4, 8 or 16; 0: what suits the device; the gpu path has 1 */
+    float light_cutoff; /* a light without a range ends where it gives this (lx); 0: never */
     uint64_t
         memory_limit; /* bytes of device memory beside shared ones; 0: what the device has */
     tl_user_kernel
         kernel; /* its strings are the caller's, who keeps them while the tl_lighting lives */
 } tl_lighting_options;
 
-/* split, float, tile 16, width by device, no cutoff. */
+/* split, float, tile 16, path and width by device, no cutoff. */
 tl_lighting_options tl_lighting_options_default(void);
 
 /* What a frame came to. */

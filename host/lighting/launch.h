@@ -1,0 +1,33 @@
+/* Launches of kernels whose arguments are a frame and buffers. */
+#ifndef TL_LAUNCH_H
+#define TL_LAUNCH_H
+
+#include "passes.h"
+
+typedef struct tl_work {
+    size_t items, group; /* work-items in all, and per work-group */
+} tl_work;
+
+/* In work-groups of one: kernels for CPUs share nothing within a group. */
+tl_work tl_alone(size_t items);
+
+/* In work-groups of TL_GROUP: kernels of the path for GPUs. */
+tl_work tl_groups(size_t groups);
+
+/* Launches a kernel that takes the context's frame and then the buffers; `name` is for errors. Its
+ * device time is added to *ms by tl_pass_finish. Fails with TL_ERR_DEVICE. */
+tl_status tl_launch(tl_pass_context *context,
+                    cl_kernel kernel,
+                    const char *name,
+                    const tl_buffer_name *buffers,
+                    cl_uint buffer_count,
+                    tl_work size,
+                    double *ms,
+                    tl_error *err);
+
+/* The program's kernel `name`; the buffers come last. */
+#define TL_LAUNCH(context, name, size, ms, err, ...)                                     \
+    tl_launch(context, (context)->program->name, #name, (tl_buffer_name[]){__VA_ARGS__}, \
+              sizeof((tl_buffer_name[]){__VA_ARGS__}) / sizeof(tl_buffer_name), size, ms, err)
+
+#endif

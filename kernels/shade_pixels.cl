@@ -1,0 +1,45 @@
+/* Shading on a GPU: one work-item per pixel, in groups of TL_GROUP that are part of one tile, so that
+ * a group walks over one list. Formulas and order are those of shade_tiles.cl, and so are the bits. */
+#include "load_pixel.h"
+#include "options.h"
+
+#if TL_BY_PIXEL
+
+/* Arguments as those of shade_tiles. Global size: tile_size * tile_size * tiles_x * tiles_y, in groups
+ * of TL_GROUP; a tile's pixels row by row, tiles row by row. */
+__kernel void shade_pixels(const tl_frame frame,
+                           __global const float *restrict planes,
+                           __global const tl_view_light *restrict lights,
+                           __global const uint *restrict starts,
+                           __global const uint *restrict ends,
+                           __global const uint *restrict list,
+                           __global float *restrict radiance)
+{
+    const uint pixels_per_tile = frame.tile_size * frame.tile_size;
+    const uint tile = get_global_id(0) / pixels_per_tile;
+    const uint pixel_of_tile = get_global_id(0) % pixels_per_tile;
+    const uint column =
+        tile % frame.tiles_x * frame.tile_size + pixel_of_tile % frame.tile_size;
+    const uint row = tile / frame.tiles_x * frame.tile_size + pixel_of_tile / frame.tile_size;
+    const size_t plane_size = (size_t)frame.rows * frame.pitch;
+    const size_t at = (size_t)(frame.buffer_row + row) * frame.pitch + column;
+    const tl_needs needs = needs_of_build();
+
+    const pixel in = load_pixel(planes + at, plane_size, frame.pitch);
+    const phong_material m = material_of(needs, in);
+    const surface s = surface_of(&frame, needs, in, m.shininess, (scalar)column,
+                                 (scalar)(frame.first_row + row));
+    received sum = {{0, 0, 0}, {0, 0, 0}};
+    if (in.depth < (real)INFINITY) {
+        for (uint i = 0; i < frame.global_count; i++)
+            sum = add_global_light(sum, needs, s, lights[i]);
+        for (uint i = starts[tile]; i < ends[tile]; i++)
+            sum = add_ranged_light(sum, needs, s, lights[list[i]]);
+    }
+    const vec3 out = radiance_of(&frame, needs, in, m, sum);
+    store_block(out.x, radiance + at, frame.pitch);
+    store_block(out.y, radiance + plane_size + at, frame.pitch);
+    store_block(out.z, radiance + 2 * plane_size + at, frame.pitch);
+}
+
+#endif
