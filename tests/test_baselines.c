@@ -304,7 +304,6 @@ static void classic_refuses_what_its_lists_cannot_hold(void **state)
     for (uint32_t light_count = 256; light_count <= 257; light_count++) {
         frame f = {.gbuffer = random_gbuffer(&camera, TL_GROUP_BASE, 1977)};
         const tl_baseline_input input = {x->device, f.gbuffer, &f.lights};
-        tl_image *got = image_like(f.gbuffer);
         uint32_t seed = 20110901;
         void *made = NULL;
         tl_error err;
@@ -312,13 +311,11 @@ static void classic_refuses_what_its_lists_cannot_hold(void **state)
             const tl_light light = random_light(&camera, &seed, 50.0f, 60.0f);
             add(&f.lights, &light);
         }
-        ASSERT_OK(classic->create(&input, &made, &err), err);
-        const tl_status status = classic->run(made, got, NULL, &err);
+        const tl_status status = classic->create(&input, &made, &err);
         assert_int_equal(status, light_count == 256 ? TL_OK : TL_ERR_UNSUPPORTED);
         if (status != TL_OK)
             assert_non_null(strstr(err.message, "257 lights"));
         classic->destroy(made);
-        tl_image_destroy(got);
         clear(&f);
     }
 }

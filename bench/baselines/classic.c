@@ -45,6 +45,7 @@ static tl_status upload(classic *c, tl_error *err)
 {
     const size_t planes = (size_t)__builtin_popcount(c->gbuffer->present) * plane_size(c);
     const size_t lights = c->prepared.frame.light_count * sizeof(tl_view_light);
+    cl_uint nothing_listed[2] = {0, 0};
     tl_status status = TL_OK;
     cl_int code;
     if (c->device->shares_memory) {
@@ -55,48 +56,39 @@ static tl_status upload(classic *c, tl_error *err)
         TRY(tl_buffers_write(&c->buffers, c->device, TL_BUFFER_PLANES, c->gbuffer->planes,
                              planes, err));
     }
+    TRY(tl_buffers_reserve(&c->buffers, c->device, TL_BUFFER_RADIANCE, 3 * plane_size(c), err));
     TRY(tl_buffers_reserve(&c->buffers, c->device, TL_BUFFER_LIGHTS, lights, err));
-    c->longest =
-        clCreateBuffer(c->device->context, CL_MEM_READ_WRITE, 2 * sizeof(cl_uint), NULL, &code);
+    TRY(tl_buffers_write(&c->buffers, c->device, TL_BUFFER_LIGHTS, c->prepared.lights, lights,
+                         err));
+    c->longest = clCreateBuffer(c->device->context, CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR,
+                                sizeof nothing_listed, nothing_listed, &code);
     TRY(tl_cl(code, "clCreateBuffer", err));
 done:
     return status;
 }
 
-static tl_status set_arguments(classic *c, const tl_frame *frame, tl_error *err)
+/* Launches the kernel over the frame, and waits. */
+static tl_status launch(classic *c, cl_int shades, tl_error *err)
 {
+    static const size_t group[2] = {TILE, TILE};
+    const tl_frame *frame = &c->prepared.frame;
+    const size_t items[2] = {(size_t)frame->tiles_x * TILE, (size_t)frame->tiles_y * TILE};
     const cl_mem buffers[] = {c->buffers.of[TL_BUFFER_PLANES].memory,
                               c->buffers.of[TL_BUFFER_LIGHTS].memory,
                               c->buffers.of[TL_BUFFER_RADIANCE].memory, c->longest};
-    cl_int code = clSetKernelArg(c->program.kernel, 0, sizeof *frame, frame);
-    for (cl_uint i = 0; code == CL_SUCCESS && i < sizeof buffers / sizeof buffers[0]; i++)
-        code = clSetKernelArg(c->program.kernel, i + 1, sizeof buffers[i], &buffers[i]);
-    return tl_cl(code, "clSetKernelArg", err);
-}
-
-static size_t item_count(const tl_frame *frame)
-{
-    return (size_t)frame->tiles_x * frame->tiles_y * TILE * TILE;
-}
-
-/* Lights the tiles of `frame`, and waits. */
-static tl_status launch(classic *c, const tl_frame *frame, cl_uint longest[2], tl_error *err)
-{
-    static const size_t group[2] = {TILE, TILE};
-    const size_t items[2] = {(size_t)frame->tiles_x * TILE, (size_t)frame->tiles_y * TILE};
-    const cl_command_queue queue = c->device->queue;
+    enum { BUFFER_COUNT = sizeof buffers / sizeof buffers[0] };
+    const cl_kernel kernel = c->program.kernel;
     tl_status status = TL_OK;
-    longest[0] = longest[1] = 0;
-    TRY(set_arguments(c, frame, err));
-    TRY(tl_cl(clEnqueueWriteBuffer(queue, c->longest, CL_TRUE, 0, 2 * sizeof(cl_uint), longest,
-                                   0, NULL, NULL),
-              "clEnqueueWriteBuffer", err));
+    TRY(tl_cl(clSetKernelArg(kernel, 0, sizeof *frame, frame), "clSetKernelArg", err));
+    for (cl_uint i = 0; i < BUFFER_COUNT; i++)
+        TRY(tl_cl(clSetKernelArg(kernel, i + 1, sizeof buffers[i], &buffers[i]),
+                  "clSetKernelArg", err));
+    TRY(tl_cl(clSetKernelArg(kernel, BUFFER_COUNT + 1, sizeof shades, &shades),
+              "clSetKernelArg", err));
     TRY(tl_cl(
-        clEnqueueNDRangeKernel(queue, c->program.kernel, 2, NULL, items, group, 0, NULL, NULL),
+        clEnqueueNDRangeKernel(c->device->queue, kernel, 2, NULL, items, group, 0, NULL, NULL),
         "light_tiles_classic", err));
-    TRY(tl_cl(clEnqueueReadBuffer(queue, c->longest, CL_TRUE, 0, 2 * sizeof(cl_uint), longest,
-                                  0, NULL, NULL),
-              "clEnqueueReadBuffer", err));
+    TRY(tl_cl(clFinish(c->device->queue), "light_tiles_classic", err));
 done:
     return status;
 }
@@ -109,24 +101,39 @@ static tl_status bind_radiance(classic *c, float *planes, tl_error *err)
                : tl_buffers_reserve(&c->buffers, c->device, TL_BUFFER_RADIANCE, size, err);
 }
 
-/* Drivers compile a kernel in full when it is first launched, for the size of work-groups and of the
- * grid: the whole frame, without lights. */
 static tl_status make_program(classic *c, tl_error *err)
 {
     const tl_needs *needs = &c->prepared.needs;
+    const tl_frame *frame = &c->prepared.frame;
     const tl_kernel_options options = {.width = 1,
                                        .orthographic = needs->orthographic,
                                        .present = needs->present,
                                        .specular = needs->specular,
                                        .falloffs = needs->falloffs};
-    tl_frame frame = c->prepared.frame;
-    cl_uint longest[2];
+    const size_t items = (size_t)frame->tiles_x * frame->tiles_y * TILE * TILE;
     tl_status status = TL_OK;
-    frame.global_count = frame.light_count = 0;
-    TRY(tl_buffers_reserve(&c->buffers, c->device, TL_BUFFER_RADIANCE, 3 * plane_size(c), err));
-    TRY(tl_classic_program_make(c->device, &options, item_count(&frame), &c->program, err));
-    TRY(launch(c, &frame, longest, err));
-    tl_classic_program_keep(&c->program, item_count(&frame), TILE * TILE);
+    TRY(tl_classic_program_make(c->device, &options, items, &c->program, err));
+    /* Drivers compile a kernel in full when it is first launched, for the size of work-groups and
+     * of the grid. */
+    TRY(launch(c, 0, err));
+    tl_classic_program_keep(&c->program, items, TILE * TILE);
+done:
+    return status;
+}
+
+/* After a launch: whether every list held its lights. */
+static tl_status check_lists(const classic *c, tl_error *err)
+{
+    cl_uint longest[2] = {0, 0};
+    tl_status status = TL_OK;
+    TRY(tl_cl(clEnqueueReadBuffer(c->device->queue, c->longest, CL_TRUE, 0, sizeof longest,
+                                  longest, 0, NULL, NULL),
+              "clEnqueueReadBuffer", err));
+    if (longest[0] > longest[1])
+        TRY(tl_fail(err, TL_ERR_UNSUPPORTED,
+                    "a tile meets %u lights, and the classic kernel's lists hold %u: light "
+                    "fewer, or with shorter ranges",
+                    longest[0], longest[1]));
 done:
     return status;
 }
@@ -142,6 +149,7 @@ tl_status classic_create(const tl_baseline_input *input, void **out, tl_error *e
     TRY(tl_prepare(input->gbuffer, input->lights, TILE, 1, 0.0f, NULL, &c->prepared, err));
     TRY(upload(c, err));
     TRY(make_program(c, err));
+    TRY(check_lists(c, err));
     *out = c;
     c = NULL;
 done:
@@ -173,18 +181,12 @@ tl_status classic_run(void *state, tl_image *image, tl_timings *timings, tl_erro
     classic *c = state;
     tl_status status = TL_OK;
     double clock = tl_seconds();
-    cl_uint longest[2];
     TRY(bind_radiance(c, image->planes, err));
     TRY(tl_buffers_write(&c->buffers, c->device, TL_BUFFER_LIGHTS, c->prepared.lights,
                          c->prepared.frame.light_count * sizeof(tl_view_light), err));
     clock = tl_timings_end(timings, "upload", clock);
-    TRY(launch(c, &c->prepared.frame, longest, err));
+    TRY(launch(c, 1, err));
     clock = tl_timings_end(timings, "tiles", clock);
-    if (longest[0] > longest[1])
-        TRY(tl_fail(err, TL_ERR_UNSUPPORTED,
-                    "a tile meets %u lights, and the classic kernel's lists hold %u: light "
-                    "fewer, or with shorter ranges",
-                    longest[0], longest[1]));
     TRY(read_back(c, image, err));
     tl_timings_end(timings, "readback", clock);
 done:

@@ -119,13 +119,15 @@ TL_INLINE pixel load_classic(__global const float *in, size_t plane_size)
  * radiance  [3][rows][pitch], linear Rec. 709; written in full for every tile of the image
  * longest   [2]: raised to the most lights that a tile has met; what a list holds. Where the first
  *           is above the second, lights are missing
+ * shades    0: lists are made and no light is added
  * Global size: (16 tiles_x, 16 tiles_y), work-groups of (16, 16). */
 __kernel __attribute__((reqd_work_group_size(CLASSIC_TILE, CLASSIC_TILE, 1))) void
 light_tiles_classic(const tl_frame frame,
                     __global const float *restrict planes,
                     __global const tl_view_light *restrict lights,
                     __global float *restrict radiance,
-                    __global uint *restrict longest)
+                    __global uint *restrict longest,
+                    const int shades)
 {
     __local int nearest, farthest;
     __local uint count, list[CLASSIC_CAP];
@@ -164,7 +166,7 @@ light_tiles_classic(const tl_frame frame,
     const uint listed = min(count, (uint)CLASSIC_CAP);
     const surface s = surface_of(&frame, needs, in, m.shininess, (scalar)column, (scalar)row);
     received sum = {{0, 0, 0}, {0, 0, 0}};
-    if (in.depth < INFINITY) {
+    if (shades && in.depth < INFINITY) {
         for (uint i = 0; i < frame.global_count; i++)
             sum = add_unlisted(sum, needs, s, lights[i]);
         for (uint i = 0; i < listed; i++)
