@@ -101,9 +101,11 @@ const tl_bench_axis tl_bench_axes[TL_AXIS_COUNT] = {
                        "spheres", set_scene},
     [TL_AXIS_SIZE] = {"size", "WxH,...", "Sizes of the picture, px", "1920x1080", set_size},
     [TL_AXIS_LIGHTS] = {"lights", "N,...", "How many lights, 1 to 1000000", "1024", set_lights},
-    [TL_AXIS_PER_TILE] = {"per-tile", "N,...",
-                          "Lights that a tile of 16 px lists on average; sets their range",
-                          "27", set_per_tile},
+    [TL_AXIS_PER_TILE] =
+        {"per-tile", "N,...",
+         "Lights that a tile of 16 px lists on average with --cull depth; sets their "
+         "range",
+         "27", set_per_tile},
     [TL_AXIS_RANGE] = {"range", "METRES,...",
                        "Range of every light, in place of --per-tile, or auto", "auto",
                        set_range},

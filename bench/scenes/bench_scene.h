@@ -32,7 +32,8 @@ typedef struct tl_bench_scene_options {
     uint32_t width, height; /* px */
     uint32_t light_count;   /* 0 to TL_MAX_SCATTERED */
     uint32_t seed;
-    double lights_per_tile; /* listed per 16 px tile on average, sky included; sets the range */
+    double lights_per_tile; /* on average of 16 px tiles, sky included, as TL_CULL_DEPTH lists
+                                them; sets the range */
     double range;           /* m; 0: from lights_per_tile */
 } tl_bench_scene_options;
 
