@@ -85,7 +85,7 @@ static const struct {
     {"$T bench --quick", 2, "", "--quick is for --baselines"},
     {"$T bench --baselines --csv a.csv", 2, "", "--csv, --case and --compare are for cases"},
     {"$T bench --baselines --tile 8,16", 2, "", "give each axis one word at most"},
-    {"$T bench --growth --size 64x64", 2, "", "of the axes they take --device alone"},
+    {"$T bench --growth --size 64x64", 2, "", "of the axes it takes --device alone"},
     {"$T bench --list", 0, "hand_relaxed", ""},
     {"$T bench --fail-if-slower", 2, "", "--fail-if-slower is for --compare"},
     {"$T bench --compare missing.json", 3, "", "missing.json"},
