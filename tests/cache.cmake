@@ -1,6 +1,10 @@
 # Compiled programs kept on disk.
 tl_test(test_program_cache unit tl_lighting)
 tl_test(test_program_key device tl_lighting)
+tl_test(test_program_stale device tl_lighting)
+foreach(call clCreateProgramWithSource clCreateProgramWithBinary)
+    target_link_options(test_program_stale PRIVATE -Wl,--wrap=${call})
+endforeach()
 
 # What a frame costs once one like it was lit. The linker leads calls through the test's counters.
 tl_test(test_steady_state device tl_lighting)

@@ -3,7 +3,7 @@
 #include "launch.h"
 #include "try.h"
 
-#include <stdlib.h>
+#include <string.h>
 
 static size_t rect_pitch(const tl_pass_context *c)
 {
@@ -61,10 +61,12 @@ static tl_status rects_on_host(const tl_pass_context *c, tl_error *err)
 {
     const tl_frame *frame = &c->frame;
     const size_t pitch = rect_pitch(c);
+    const size_t size = TL_RECT_PLANE_COUNT * pitch * sizeof(cl_int);
     tl_status status = TL_OK;
-    cl_int *rects = calloc(TL_RECT_PLANE_COUNT * pitch, sizeof *rects);
-    if (!rects)
-        TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for the rectangles of lights"));
+    void *mapped = NULL;
+    TRY(tl_buffers_map(c->buffers, c->device, TL_BUFFER_RECTS, CL_MAP_WRITE, size, &mapped,
+                       err));
+    cl_int *rects = memset(mapped, 0, size);
     const int orthographic = (int)c->prepared->needs.orthographic;
     const tl_view_window window =
         view_window(frame, TL_LEAST_DEPTH(orthographic), TL_GREATEST_DEPTH, orthographic);
@@ -75,11 +77,9 @@ static tl_status rects_on_host(const tl_pass_context *c, tl_error *err)
         rects[TL_RECT_Y0 * pitch + i] = rect.y0;
         rects[TL_RECT_Y1 * pitch + i] = rect.y1;
     }
-    TRY(tl_buffers_write(c->buffers, c->device, TL_BUFFER_RECTS, rects,
-                         TL_RECT_PLANE_COUNT * pitch * sizeof *rects, err));
+    TRY(tl_buffers_unmap(c->buffers, c->device, TL_BUFFER_RECTS, mapped, err));
     TRY(forget_lists(c, err));
 done:
-    free(rects);
     return status;
 }
 

@@ -93,16 +93,24 @@ done:
     return status;
 }
 
-/* Accepts one that is all zero, and leaves it so. */
-static void release(tl_program *program)
+/* Of the driver's objects. Accepts one that is all zero. */
+static void release_program(tl_program *program)
 {
-#define RELEASE(name, is_there) \
-    if (program->name)          \
-        clReleaseKernel(program->name);
+#define RELEASE(name, is_there)         \
+    if (program->name)                  \
+        clReleaseKernel(program->name); \
+    program->name = NULL;
     TL_KERNELS(RELEASE)
 #undef RELEASE
     if (program->program)
         clReleaseProgram(program->program);
+    program->program = NULL;
+}
+
+/* Accepts one that is all zero, and leaves it so. */
+static void release(tl_program *program)
+{
+    release_program(program);
     if (program->keeper)
         tl_keeper_release(program->keeper);
     free(program->keeper);
@@ -152,8 +160,11 @@ static tl_status build(const tl_device *device, tl_program *made, tl_error *err)
         TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for a kernel program"));
     tl_keeper_begin(made->keeper, device, source.texts, source.text_count, source.flags);
     made->program = tl_keeper_load(made->keeper, device, source.flags);
-    if (!made->program)
-        TRY(compile(device, &source, made, err));
+    if (made->program && create_kernels(device, made, err) == TL_OK)
+        goto done;
+    release_program(made);
+    tl_keeper_reject(made->keeper); /* for want of a kernel; or there was none */
+    TRY(compile(device, &source, made, err));
     TRY(create_kernels(device, made, err));
 done:
     if (status != TL_OK)

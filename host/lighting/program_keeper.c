@@ -89,6 +89,11 @@ cl_program tl_keeper_load(tl_keeper *keeper, const tl_device *device, const char
     return program;
 }
 
+void tl_keeper_reject(tl_keeper *keeper)
+{
+    keeper->is_loaded = keeper->shape_count = keeper->kept_count = 0;
+}
+
 void tl_keeper_note_launch(tl_keeper *keeper, uint32_t kernel, size_t items, size_t group)
 {
     const tl_launch_shape shape = {kernel, (uint32_t)group, items > UINT16_MAX};

@@ -42,6 +42,9 @@ void tl_keeper_begin(tl_keeper *keeper,
  * it: others wait until tl_keeper_keep or tl_keeper_release. The caller releases the program. */
 cl_program tl_keeper_load(tl_keeper *keeper, const tl_device *device, const char *flags);
 
+/* What tl_keeper_load gave is unfit: it counts as nothing. */
+void tl_keeper_reject(tl_keeper *keeper);
+
 /* To be called for every launch. */
 void tl_keeper_note_launch(tl_keeper *keeper, uint32_t kernel, size_t items, size_t group);
 
