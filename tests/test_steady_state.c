@@ -244,7 +244,7 @@ static void make_scene(scene *made,
 static void check_counts(const tl_device *device, const tl_gbuffer *g, const tl_image *image)
 {
     const int shares_memory = strcmp(device->info.kind, "cpu") == 0;
-    /* Where the host makes rectangles, it also says in four bytes where lists start. */
+    /* Where the host makes rectangles, it also says in eight bytes where lists start. */
     const int extra_writes = device->info.has_double ? 0 : 1;
     for (int i = 0; i < COUNT_OF_CALLS; i++) {
         const int by_copy =
@@ -255,7 +255,7 @@ static void check_counts(const tl_device *device, const tl_gbuffer *g, const tl_
     }
     assert_int_equal(counts.writes, 1 + extra_writes);
     assert_int_equal(counts.bytes_written,
-                     LIGHTS * sizeof(tl_view_light) + 4 * (size_t)extra_writes);
+                     LIGHTS * sizeof(tl_view_light) + 8 * (size_t)extra_writes);
     assert_true(counts.launches > 0);
     if (shares_memory) {
         assert_true(was_mapped(g->planes));
@@ -312,6 +312,13 @@ static void every_culling(void **state)
     }
 }
 
+static void path_of_gpus(void **state)
+{
+    tl_lighting_options options = tl_lighting_options_default();
+    options.path = TL_PATH_GPU;
+    steady(*state, options);
+}
+
 /* The rectangles of lights then come from the host. */
 static void without_double(void **state)
 {
@@ -327,6 +334,7 @@ static void without_double(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(every_culling),
+                                       cmocka_unit_test(path_of_gpus),
                                        cmocka_unit_test(without_double)};
     return cmocka_run_group_tests(tests, open_device, close_device);
 }
