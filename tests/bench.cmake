@@ -6,3 +6,9 @@ tl_test(test_bench_growth unit tl_growth tl_base)
 tl_test(test_bench_scenes device tl_bench_cases)
 tl_test(test_command_bench command tl_base PkgConfig::JANSSON)
 add_dependencies(test_command_bench tilelight)
+
+# Is every figure on the page of performance what the committed reports say?
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+add_test(NAME performance_page_is_made
+         COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/bench/plots/make_page --check)
+set_tests_properties(performance_page_is_made PROPERTIES LABELS unit)
