@@ -77,6 +77,7 @@ static const struct {
     {"$T bench --tile 12", 2, "", "--tile: \"12\" is none of 8, 16, 32, 64"},
     {"$T bench --cull all", 2, "", "--cull: \"all\" is none of split, depth, rect, none"},
     {"$T bench --precision half", 2, "", "reference, twin"},
+    {"$T bench --path tpu", 2, "", "--path: \"tpu\" is none of auto, cpu, gpu"},
     {"$T bench --width 2", 2, "", "auto, 1, 4, 8, 16"},
     {"$T bench --case scenes,attics", 2, "", "--case: no such set \"attics\"; sets: scenes"},
     {"$T bench --samples 0", 2, "", "--samples"},

@@ -86,6 +86,15 @@ static tl_status set_width(tl_bench_case *of, const char *word, tl_error *err)
     return status;
 }
 
+static tl_status set_path(tl_bench_case *of, const char *word, tl_error *err)
+{
+    static const char *const words[] = {TL_PATHS(WORD)};
+    size_t at = 0;
+    const tl_status status = tl_word_among("--path", word, words, TL_PATH_COUNT, &at, err);
+    of->lighting.path = (tl_path)at;
+    return status;
+}
+
 /* Any selector is a word; opening it says whether it names a device. */
 static tl_status set_device(tl_bench_case *of, const char *word, tl_error *err)
 {
@@ -117,4 +126,6 @@ const tl_bench_axis tl_bench_axes[TL_AXIS_COUNT] = {
                            set_precision},
     [TL_AXIS_WIDTH] = {"width", "LANES,...", "Vector lanes of the kernels: 1, 4, 8, 16 or auto",
                        "auto", set_width},
+    [TL_AXIS_PATH] = {"path", "NAME,...", "How kernels share the work out." TL_PATHS(MEANING),
+                      "auto", set_path},
 };

@@ -21,6 +21,7 @@ typedef enum tl_bench_axis_name {
     TL_AXIS_CULL,
     TL_AXIS_PRECISION,
     TL_AXIS_WIDTH,
+    TL_AXIS_PATH,
     TL_AXIS_COUNT
 } tl_bench_axis_name;
 
