@@ -10,27 +10,34 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Sizes one after another: they share the G-buffer, which takes longest to make. */
-static const struct {
-    const char *size, *lights;
-} points[] = {
-    {"640x360", "64"},      {"640x360", "1024"},    {"640x360", "16384"},
-    {"1280x720", "64"},     {"1280x720", "4096"},   {"1920x1080", "64"},
-    {"1920x1080", "256"},   {"1920x1080", "1024"},  {"1920x1080", "4096"},
-    {"1920x1080", "16384"}, {"1920x1080", "65536"}, {"3840x2160", "1024"},
-    {"3840x2160", "16384"}, {"7680x4320", "64"},    {"7680x4320", "4096"},
-    {"7680x4320", "65536"},
-};
-enum { POINT_COUNT = sizeof points / sizeof points[0] };
-
 /* How the lights' range goes with their number. */
 typedef enum series { HELD, SHRINKING, SERIES_COUNT } series;
 static const struct {
     const char *name, *meaning;
 } series_rows[SERIES_COUNT] = {
     [HELD] = {"held", "the same range for any number of lights: tiles list more and more"},
-    [SHRINKING] = {"shrinking", "a range at which tiles list 27 of any number of lights"},
+    [SHRINKING] = {"shrinking", "a range at which tiles list as many of any number of lights"},
 };
+
+/* Sizes one after another: they share the G-buffer, which takes longest to make. With one number of
+ * lights per tile alone, pairs would be a multiple of pixels, and their prices not told apart. */
+static const struct {
+    const char *size, *lights, *per_tile; /* NULL: the series with the range held */
+} points[] = {
+    {"640x360", "64", NULL},      {"640x360", "1024", NULL},    {"640x360", "16384", NULL},
+    {"640x360", "64", "27"},      {"640x360", "1024", "81"},    {"640x360", "16384", "27"},
+    {"1280x720", "64", NULL},     {"1280x720", "4096", NULL},   {"1280x720", "256", "9"},
+    {"1280x720", "4096", "27"},   {"1920x1080", "64", NULL},    {"1920x1080", "256", NULL},
+    {"1920x1080", "1024", NULL},  {"1920x1080", "4096", NULL},  {"1920x1080", "16384", NULL},
+    {"1920x1080", "65536", NULL}, {"1920x1080", "64", "27"},    {"1920x1080", "256", "27"},
+    {"1920x1080", "1024", "27"},  {"1920x1080", "1024", "3"},   {"1920x1080", "1024", "9"},
+    {"1920x1080", "1024", "81"},  {"1920x1080", "4096", "27"},  {"1920x1080", "16384", "27"},
+    {"1920x1080", "65536", "27"}, {"3840x2160", "1024", NULL},  {"3840x2160", "16384", NULL},
+    {"3840x2160", "1024", "9"},   {"3840x2160", "16384", "27"}, {"7680x4320", "64", NULL},
+    {"7680x4320", "4096", NULL},  {"7680x4320", "65536", NULL}, {"7680x4320", "64", "9"},
+    {"7680x4320", "4096", "3"},   {"7680x4320", "65536", "27"},
+};
+enum { POINT_COUNT = sizeof points / sizeof points[0] };
 
 /* At this point of the held series tiles list as many as in the shrinking one. */
 static const char held_size[] = "1920x1080", held_lights[] = "16384";
@@ -42,8 +49,9 @@ static const double growth_seconds = 3.0;
 static const double most_residual = 0.15, most_price_change = 0.20;
 
 typedef struct growth {
-    tl_bench_record records[SERIES_COUNT][POINT_COUNT];
-    tl_growth_point points[SERIES_COUNT][POINT_COUNT];
+    size_t counts[SERIES_COUNT];
+    tl_bench_record records[SERIES_COUNT][POINT_COUNT]; /* the first [counts[series]] */
+    tl_growth_point points[SERIES_COUNT][POINT_COUNT];  /* the same */
     tl_growth_fit fits[SERIES_COUNT];
     char held_range[TL_BENCH_WORD_SIZE]; /* m */
 } growth;
@@ -51,6 +59,7 @@ typedef struct growth {
 static tl_status make_case(const bench_session *s,
                            const char *size,
                            const char *lights,
+                           const char *per_tile,
                            const char *range,
                            tl_bench_case *out,
                            tl_error *err)
@@ -59,6 +68,7 @@ static tl_status make_case(const bench_session *s,
     tl_bench_cases made = {0};
     lists.of[TL_AXIS_SIZE] = size;
     lists.of[TL_AXIS_LIGHTS] = lights;
+    lists.of[TL_AXIS_PER_TILE] = per_tile;
     lists.of[TL_AXIS_RANGE] = range;
     const tl_status status = tl_bench_cases_add(&made, &lists, err);
     if (status == TL_OK)
@@ -72,7 +82,7 @@ static tl_status choose_range(bench_session *s, growth *g, tl_error *err)
     tl_status status = TL_OK;
     tl_bench_case one;
     console_stage("making the frame that the held range is from");
-    TRY(make_case(s, held_size, held_lights, NULL, &one, err));
+    TRY(make_case(s, held_size, held_lights, NULL, NULL, &one, err));
     TRY(bench_session_device(s, &one, err));
     TRY(tl_bench_frame_make(&s->frame, &one, err));
     snprintf(g->held_range, sizeof g->held_range, "%.6g",
@@ -98,20 +108,19 @@ static tl_status measure(bench_session *s, growth *g, tl_error *err)
     tl_status status = TL_OK;
     rule.least_samples = s->options->samples_given ? rule.least_samples : growth_samples;
     rule.seconds = s->options->seconds_given ? rule.seconds : growth_seconds;
-    for (int i = 0; i < POINT_COUNT; i++)
-        for (int k = 0; k < SERIES_COUNT; k++) {
-            tl_bench_case one;
-            char stage[160];
-            snprintf(stage, sizeof stage, "point %d of %d: %s, %s lights, range %s",
-                     i * SERIES_COUNT + k + 1, POINT_COUNT * SERIES_COUNT, points[i].size,
-                     points[i].lights, series_rows[k].name);
-            console_stage(stage);
-            TRY(make_case(s, points[i].size, points[i].lights, k == HELD ? g->held_range : NULL,
-                          &one, err));
-            TRY(tl_bench_measure(s->device, NULL, &one, &s->frame, &rule, &g->records[k][i],
-                                 err));
-            g->points[k][i] = point_of(&g->records[k][i]);
-        }
+    for (int i = 0; i < POINT_COUNT; i++) {
+        const series k = points[i].per_tile ? SHRINKING : HELD;
+        tl_bench_record *record = &g->records[k][g->counts[k]];
+        tl_bench_case one;
+        char stage[160];
+        snprintf(stage, sizeof stage, "point %d of %d: %s, %s lights, range %s", i + 1,
+                 (int)POINT_COUNT, points[i].size, points[i].lights, series_rows[k].name);
+        console_stage(stage);
+        TRY(make_case(s, points[i].size, points[i].lights, points[i].per_tile,
+                      k == HELD ? g->held_range : NULL, &one, err));
+        TRY(tl_bench_measure(s->device, NULL, &one, &s->frame, &rule, record, err));
+        g->points[k][g->counts[k]++] = point_of(record);
+    }
     console_stage(NULL);
 done:
     return status;
@@ -129,11 +138,12 @@ static void print_series(FILE *out, const growth *g, series k)
     fprintf(out, "\nrange %s: %s\n", series_rows[k].name, series_rows[k].meaning);
     fprintf(out, "%10s %7s %9s %9s %10s %9s %9s %12s\n", "pixels", "lights", "per tile",
             "Mpair", "frame ms", "residual", "ns/pair", "memory MB");
-    for (int i = 0; i < POINT_COUNT; i++) {
+    for (size_t i = 0; i < g->counts[k]; i++) {
         const tl_bench_record *r = &g->records[k][i];
         const tl_growth_point *p = &g->points[k][i];
-        fprintf(out, "%10s %7s %9.2f %9.1f %10.2f %8.1f%% %9.3f %12.1f\n", points[i].size,
-                points[i].lights, (double)r->counts.list_length / r->counts.tile_count,
+        fprintf(out, "%10s %7s %9.2f %9.1f %10.2f %8.1f%% %9.3f %12.1f\n",
+                r->of.words[TL_AXIS_SIZE], r->of.words[TL_AXIS_LIGHTS],
+                (double)r->counts.list_length / r->counts.tile_count,
                 1e-6 * (double)r->counts.pair_count, 1e-6 * p->ns,
                 100.0 * tl_growth_residual(fit, p), tl_growth_pair_price(fit, p),
                 1e-6 * (double)r->counts.device_bytes);
@@ -162,7 +172,7 @@ static json_t *fit_json(const tl_growth_fit *fit)
                      tl_json_number(fit->most_pair_price));
 }
 
-static json_t *point_json(const growth *g, series k, int i)
+static json_t *point_json(const growth *g, series k, size_t i)
 {
     const tl_bench_record *r = &g->records[k][i];
     const tl_growth_point *p = &g->points[k][i];
@@ -184,7 +194,7 @@ static tl_status write_json(const bench_session *s, const growth *g, tl_error *e
     json_t *report = tl_bench_json_begin(&s->machine), *growth_object = json_object();
     for (int k = 0; k < SERIES_COUNT; k++) {
         json_t *array = json_array();
-        for (int i = 0; i < POINT_COUNT; i++)
+        for (size_t i = 0; i < g->counts[k]; i++)
             json_array_append_new(array, point_json(g, (series)k, i));
         json_object_set_new(growth_object, series_rows[k].name,
                             json_pack("{ss so so}", "meaning", series_rows[k].meaning, "fit",
@@ -205,7 +215,7 @@ tl_status bench_run_growth(bench_session *s, tl_error *err)
     TRY(choose_range(s, g, err));
     TRY(measure(s, g, err));
     for (int k = 0; k < SERIES_COUNT; k++) {
-        g->fits[k] = tl_growth_fit_make(g->points[k], POINT_COUNT);
+        g->fits[k] = tl_growth_fit_make(g->points[k], g->counts[k]);
         if (s->table)
             print_series(s->table, g, (series)k);
     }
