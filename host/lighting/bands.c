@@ -112,16 +112,16 @@ static tl_status upload_lights(tl_pass_context *c, tl_error *err)
                            err);
 }
 
-/* Where memory is shared, mapping is how the host gets to see what the device wrote. */
+/* Where memory is shared, mapping is how the host gets to see what the device wrote, once the queue
+ * is empty. */
 static tl_status read_back(tl_pass_context *c, tl_image *image, tl_error *err)
 {
     const size_t row = (size_t)image->pitch * sizeof(float), host_plane = row * image->rows;
     tl_status status = TL_OK;
     if (c->device->shares_memory) {
-        void *mapped = NULL;
-        TRY(tl_buffers_map(c->buffers, c->device, TL_BUFFER_RADIANCE, CL_MAP_READ,
-                           3 * host_plane, &mapped, err));
-        TRY(tl_buffers_unmap(c->buffers, c->device, TL_BUFFER_RADIANCE, mapped, err));
+        TRY(tl_buffers_touch(c->buffers, c->device, TL_BUFFER_RADIANCE, CL_MAP_READ,
+                             3 * host_plane, err));
+        TRY(tl_pass_finish(c, err));
     } else {
         const size_t origin[3] = {0, 0, 0}, host_origin[3] = {0, c->frame.first_row, 0};
         const size_t region[3] = {row, c->frame.rows, 3};

@@ -39,6 +39,22 @@ tl_status tl_buffers_reserve(tl_buffers *buffers,
     return make(buffers, device, name, CL_MEM_READ_WRITE, NULL, size, err);
 }
 
+tl_status tl_buffers_touch(tl_buffers *buffers,
+                           const tl_device *device,
+                           tl_buffer_name name,
+                           cl_map_flags flags,
+                           size_t size,
+                           tl_error *err)
+{
+    cl_int code;
+    void *const mapped = clEnqueueMapBuffer(device->queue, buffers->of[name].memory, CL_FALSE,
+                                            flags, 0, size, 0, NULL, NULL, &code);
+    const tl_status status = tl_cl(code, "clEnqueueMapBuffer", err);
+    if (status != TL_OK)
+        return status;
+    return tl_buffers_unmap(buffers, device, name, mapped, err);
+}
+
 tl_status tl_buffers_share(tl_buffers *buffers,
                            const tl_device *device,
                            tl_buffer_name name,
@@ -46,18 +62,11 @@ tl_status tl_buffers_share(tl_buffers *buffers,
                            size_t size,
                            tl_error *err)
 {
-    cl_int code;
     if (buffers->of[name].host != host || buffers->of[name].size != size)
         return make(buffers, device, name, CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, host, size,
                     err);
-    /* The same memory with another frame in it: mapping is how OpenCL learns of that. Nothing is
-     * written through the pointer, so nothing waits for it. */
-    void *const mapped = clEnqueueMapBuffer(device->queue, buffers->of[name].memory, CL_FALSE,
-                                            CL_MAP_WRITE, 0, size, 0, NULL, NULL, &code);
-    const tl_status status = tl_cl(code, "clEnqueueMapBuffer", err);
-    if (status != TL_OK)
-        return status;
-    return tl_buffers_unmap(buffers, device, name, mapped, err);
+    /* The same memory with another frame in it: mapping is how OpenCL learns of that. */
+    return tl_buffers_touch(buffers, device, name, CL_MAP_WRITE, size, err);
 }
 
 static tl_status write(tl_buffers *buffers,

@@ -51,6 +51,15 @@ tl_status tl_buffers_share(tl_buffers *buffers,
                            size_t size,
                            tl_error *err);
 
+/* Tells OpenCL, before whatever is queued next, that the host reads or writes (flags) the first
+ * `size` bytes of a shared buffer. Waits for nothing. */
+tl_status tl_buffers_touch(tl_buffers *buffers,
+                           const tl_device *device,
+                           tl_buffer_name name,
+                           cl_map_flags flags,
+                           size_t size,
+                           tl_error *err);
+
 /* Writes `size` bytes to the start of the buffer, which has room; nothing for a size of 0. */
 tl_status tl_buffers_write(tl_buffers *buffers,
                            const tl_device *device,
