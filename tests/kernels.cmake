@@ -3,7 +3,7 @@ include(${PROJECT_SOURCE_DIR}/cmake/TilelightKernelCheck.cmake)
 
 set(kernels ${PROJECT_SOURCE_DIR}/docs/kernels)
 tilelight_add_kernel_check(kernel_plain ${kernels}/plain.cl ENTRY plain)
-tilelight_add_kernel_check(kernel_with_headers ${kernels}/with_headers.cl ENTRY shade_pixels ITEMS pixel
+tilelight_add_kernel_check(kernel_with_headers ${kernels}/with_headers.cl ENTRY shade_in_batches ITEMS pixel
                            ARGS --frame mixed --frame metal --frame orthographic --frame unlit)
 tilelight_add_kernel_check(kernel_faulty_fails ${kernels}/faulty.cl ENTRY faulty ITEMS pixel
                            ARGS --frame spheres)

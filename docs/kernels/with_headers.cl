@@ -2,7 +2,7 @@
 // The group takes the lights of its list to local memory, as GPUs like it, and the formulas are
 // tilelight's, so the picture is the same bit for bit.
 //
-//     tilelight check --kernel with_headers.cl --entry shade_pixels --items pixel
+//     tilelight check --kernel with_headers.cl --entry shade_in_batches --items pixel
 
 #include "pixel.h"
 
@@ -13,7 +13,8 @@
 
 enum { BATCH = 64 }; // lights at a time: 3 KiB of local memory; no tile has fewer pixels
 
-float value_of(__global const float *in, size_t plane_size, uint group, int plane, float otherwise)
+float value_of(
+    __global const float *in, size_t plane_size, uint group, int plane, float otherwise)
 {
     return TL_PRESENT & group ? in[TL_SLOT(TL_PRESENT, plane) * plane_size] : otherwise;
 }
@@ -41,13 +42,13 @@ pixel load(__global const float *in, size_t size)
     return p;
 }
 
-__kernel void shade_pixels(const tl_frame frame,
-                           __global const float *planes,
-                           __global const tl_view_light *lights,
-                           __global const uint *starts,
-                           __global const uint *ends,
-                           __global const uint *list,
-                           __global float *radiance)
+__kernel void shade_in_batches(const tl_frame frame,
+                               __global const float *planes,
+                               __global const tl_view_light *lights,
+                               __global const uint *starts,
+                               __global const uint *ends,
+                               __global const uint *list,
+                               __global float *radiance)
 {
     __local tl_view_light batch[BATCH];
     const uint tile = get_group_id(0), item = get_local_id(0), size = frame.tile_size;
