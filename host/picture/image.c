@@ -1,15 +1,11 @@
 #include "tilelight/image.h"
 
 #include "aligned.h"
-#include "tilelight/gbuffer.h"
+#include "plane_shape.h"
 #include "try.h"
 
+#include <stdlib.h>
 #include <string.h>
-
-static uint32_t padded(uint32_t extent)
-{
-    return (extent + TL_PADDING - 1) / TL_PADDING * TL_PADDING;
-}
 
 tl_status tl_image_create(uint32_t width, uint32_t height, tl_image **out, tl_error *err)
 {
@@ -22,7 +18,7 @@ tl_status tl_image_create(uint32_t width, uint32_t height, tl_image **out, tl_er
     made = calloc(1, sizeof *made);
     if (!made)
         TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for a picture"));
-    *made = (tl_image){width, height, padded(width), padded(height), NULL};
+    *made = (tl_image){width, height, tl_plane_pitch(width), tl_plane_rows(height), NULL};
 
     const size_t size = 3 * (size_t)made->pitch * made->rows * sizeof(float);
     made->planes = tl_aligned_alloc(size);

@@ -1,6 +1,7 @@
 #include "tilelight/gbuffer.h"
 
 #include "aligned.h"
+#include "plane_shape.h"
 #include "try.h"
 
 #include <math.h>
@@ -42,11 +43,6 @@ static tl_status check_planes(uint32_t present, tl_error *err)
     return TL_OK;
 }
 
-static uint32_t padded(uint32_t extent)
-{
-    return (extent + TL_PADDING - 1) / TL_PADDING * TL_PADDING;
-}
-
 tl_status tl_gbuffer_create(const tl_camera *camera,
                             uint32_t present,
                             tl_gbuffer **out,
@@ -62,8 +58,8 @@ tl_status tl_gbuffer_create(const tl_camera *camera,
         TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for a G-buffer"));
     made->camera = *camera;
     made->present = present;
-    made->pitch = padded(camera->width);
-    made->rows = padded(camera->height);
+    made->pitch = tl_plane_pitch(camera->width);
+    made->rows = tl_plane_rows(camera->height);
 
     const size_t plane_count = (size_t)__builtin_popcount(present);
     const size_t plane = (size_t)made->pitch * made->rows;

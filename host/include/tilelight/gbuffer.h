@@ -22,8 +22,9 @@ enum { TL_PADDING = 64 };
 typedef struct tl_gbuffer {
     tl_camera camera;
     uint32_t present; /* bit p: plane p is stored; a union of TL_GROUP_... with TL_GROUP_BASE */
-    uint32_t pitch;   /* floats from row to row: camera.width up to a multiple of TL_PADDING */
-    uint32_t rows;    /* camera.height up to a multiple of TL_PADDING */
+    uint32_t
+        pitch;     /* floats from row to row: at least camera.width, a multiple of TL_PADDING */
+    uint32_t rows; /* camera.height up to a multiple of TL_PADDING */
     float *planes; /* [popcount(present)][rows][pitch], aligned to 4096 bytes; padding is sky */
 } tl_gbuffer;
 
