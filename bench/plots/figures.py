@@ -112,7 +112,7 @@ def growth(report, path):
                          % (name, block_name, using, style, COLORS[color], title if titled else "")
                          for name, color, title in SERIES)
     draw(path, (900, 760), data + """
-set multiplot layout 2,2 margins 0.09,0.98,0.08,0.95 spacing 0.11,0.12
+set multiplot layout 2,2 margins 0.10,0.98,0.08,0.95 spacing 0.11,0.14
 set logscale xy
 set format x '10^{%%T}'
 set xlabel 'pairs'
