@@ -86,6 +86,7 @@ static const struct {
     {"$T bench --quick", 2, "", "--quick is for --baselines"},
     {"$T bench --baselines --csv a.csv", 2, "", "--csv, --case and --compare are for cases"},
     {"$T bench --baselines --tile 8,16", 2, "", "give each axis one word at most"},
+    {"$T bench --baselines --growth", 2, "", "exclude one another"},
     {"$T bench --growth --size 64x64", 2, "", "of the axes it takes --device alone"},
     {"$T bench --list", 0, "hand_relaxed", ""},
     {"$T bench --fail-if-slower", 2, "", "--fail-if-slower is for --compare"},

@@ -51,6 +51,14 @@ static void check_together(const bench_options *options, struct argp_state *stat
         argp_error(state, "--fail-if-slower is for --compare");
 }
 
+static error_t choose_mode(bench_options *options, bench_mode mode, struct argp_state *state)
+{
+    if (options->mode != BENCH_CASES && options->mode != mode)
+        argp_error(state, "--baselines, --growth, --startup and --list exclude one another");
+    options->mode = mode;
+    return 0;
+}
+
 static error_t parse(int key, char *text, struct argp_state *state)
 {
     static const value_arguments none = {NULL, NULL, 0};
@@ -74,11 +82,11 @@ static error_t parse(int key, char *text, struct argp_state *state)
         options->rule.seconds = value_number(state, "--seconds", text, 0.0, 86400.0);
         options->seconds_given = true;
         return 0;
-    case OPTION_BASELINES: options->mode = BENCH_BASELINES; return 0;
-    case OPTION_STARTUP: options->mode = BENCH_STARTUP; return 0;
-    case OPTION_GROWTH: options->mode = BENCH_GROWTH; return 0;
+    case OPTION_BASELINES: return choose_mode(options, BENCH_BASELINES, state);
+    case OPTION_STARTUP: return choose_mode(options, BENCH_STARTUP, state);
+    case OPTION_GROWTH: return choose_mode(options, BENCH_GROWTH, state);
     case OPTION_QUICK: options->quick = true; return 0;
-    case OPTION_LIST: options->mode = BENCH_LIST; return 0;
+    case OPTION_LIST: return choose_mode(options, BENCH_LIST, state);
     case OPTION_CSV: options->csv = text; return 0;
     case OPTION_JSON: options->json = text; return 0;
     case OPTION_COMPARE: options->compare = text; return 0;
