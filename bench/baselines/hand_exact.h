@@ -15,9 +15,7 @@
 #ifndef TL_HAND_EXACT_H
 #define TL_HAND_EXACT_H
 
-#include "hand_surface.h"
-
-enum { CHUNK = 32 };
+#include "hand_lights.h"
 
 /* The lights of a chunk that are kept, and what one loop leaves to the next. */
 typedef struct kept_lights {
@@ -27,41 +25,6 @@ typedef struct kept_lights {
     lanes sin2[CHUNK], cos2[CHUNK];
     lanes log2[CHUNK]; /* of the lobe */
 } kept_lights;
-
-LANES_INLINE lanes3 towards(const block_surface *s, const tl_view_light *light)
-{
-    return (lanes3){all(light->position[0]) - s->position.x,
-                    all(light->position[1]) - s->position.y,
-                    all(light->position[2]) - s->position.z};
-}
-
-LANES_INLINE size_t keep_lights(block_surface s,
-                                const tl_view_light *const *list,
-                                size_t count,
-                                kept_lights *kept)
-{
-    size_t kept_count = 0;
-    for (size_t i = 0; i < count; i++) {
-        const lanes3 l = towards(&s, list[i]);
-        const lane_mask lit =
-            both(below(dot(l, l), all(list[i]->range2)), below(all(0.0f), dot(s.normal, l)));
-        kept->of[kept_count] = list[i];
-        kept_count += bits_of(lit) != 0;
-    }
-    return kept_count;
-}
-
-LANES_INLINE lanes fade(const tl_view_light *light,
-                        lanes distance2,
-                        lanes distance,
-                        lanes per_distance)
-{
-    if (light->falloff == TL_FADE_LINEAR)
-        return larger(fused_from(distance, all(light->fade), all(1.0f)), all(0.0f));
-    const lanes share = distance2 * light->fade;
-    const lanes window = fused_from(share, share, all(1.0f));
-    return larger(window, all(0.0f)) * smaller(per_distance * per_distance, all(1e4f));
-}
 
 LANES_INLINE lanes3 add_diffuse(block_surface s, kept_lights *kept, size_t count, lanes3 sum)
 {
@@ -155,7 +118,7 @@ LANES_INLINE void add_lights(block_surface s,
                              block_light *sum)
 {
     kept_lights kept;
-    const size_t kept_count = keep_lights(s, list, count, &kept);
+    const size_t kept_count = keep_lights(s, list, count, kept.of);
     sum->diffuse = add_diffuse(s, &kept, kept_count, sum->diffuse);
     if (!specular)
         return;

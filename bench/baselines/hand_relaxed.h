@@ -16,9 +16,7 @@
 #ifndef TL_HAND_RELAXED_H
 #define TL_HAND_RELAXED_H
 
-#include "hand_surface.h"
-
-enum { CHUNK = 32 };
+#include "hand_lights.h"
 
 /* tests/tools/fit_powers.py: log2(1 + m)/m on [sqrt(1/2) - 1, sqrt(2) - 1] within 6e-4, 2^r on
  * [-1/2, 1/2] within 8.1e-5. */
@@ -36,38 +34,6 @@ typedef struct kept_lights {
     lanes seen[CHUNK]; /* weight where the light is above the surface */
     lanes cos2[CHUNK]; /* of normal and half vector */
 } kept_lights;
-
-LANES_INLINE lanes3 towards(const block_surface *s, const tl_view_light *light)
-{
-    return (lanes3){all(light->position[0]) - s->position.x,
-                    all(light->position[1]) - s->position.y,
-                    all(light->position[2]) - s->position.z};
-}
-
-LANES_INLINE size_t keep_lights(block_surface s,
-                                const tl_view_light *const *list,
-                                size_t count,
-                                kept_lights *kept)
-{
-    size_t kept_count = 0;
-    for (size_t i = 0; i < count; i++) {
-        const lanes3 l = towards(&s, list[i]);
-        const lane_mask lit =
-            both(below(dot(l, l), all(list[i]->range2)), below(all(0.0f), dot(s.normal, l)));
-        kept->of[kept_count] = list[i];
-        kept_count += bits_of(lit) != 0;
-    }
-    return kept_count;
-}
-
-LANES_INLINE lanes fade(const tl_view_light *light, lanes distance2, lanes distance, lanes per)
-{
-    if (light->falloff == TL_FADE_LINEAR)
-        return larger(fused_from(distance, all(light->fade), all(1.0f)), all(0.0f));
-    const lanes share = distance2 * light->fade;
-    return larger(fused_from(share, share, all(1.0f)), all(0.0f)) *
-           smaller(per * per, all(1e4f));
-}
 
 /* Diffuse light, and what the specular lobe needs. */
 LANES_INLINE lanes3 add_diffuse(block_surface s, kept_lights *kept, size_t count, lanes3 sum)
@@ -132,7 +98,7 @@ LANES_INLINE void add_lights(block_surface s,
                              block_light *sum)
 {
     kept_lights kept;
-    const size_t kept_count = keep_lights(s, list, count, &kept);
+    const size_t kept_count = keep_lights(s, list, count, kept.of);
     sum->diffuse = add_diffuse(s, &kept, kept_count, sum->diffuse);
     if (specular)
         sum->specular = add_specular(s, &kept, kept_count, sum->specular);
