@@ -40,8 +40,8 @@ TL_INLINE void ask_for_next(__global const float *planes,
 #define LIGHTS_AT_ONCE 64
 
 /* Adds lights list[0] to list[count - 1], count up to LIGHTS_AT_ONCE: the steps of kernels/light.h's
- * add_ranged_light, each for all of them. What one loop leaves to the next stands where that has
- * read: the fewer lines of L1 it takes, the better (x 1.03). */
+ * add_ranged_light, each for all of them. Where a loop's results can stand in place of what it
+ * read, they do: the fewer lines of L1 the arrays take, the better. */
 TL_INLINE received add_listed_lights(received sum,
                                      tl_needs needs,
                                      surface s,
@@ -51,8 +51,7 @@ TL_INLINE received add_listed_lights(received sum,
 {
     uint kept[LIGHTS_AT_ONCE], kept_count = 0;
     real reach[LIGHTS_AT_ONCE]; /* squared distance, then distance */
-    real seen
-        [LIGHTS_AT_ONCE]; /* facing, then weight where the light is above, and the half vector */
+    real seen[LIGHTS_AT_ONCE];  /* facing, then weight where light and half vector are above */
     real cos2[LIGHTS_AT_ONCE], sin2[LIGHTS_AT_ONCE]; /* of the half vector */
     real log2_of[LIGHTS_AT_ONCE];                    /* the lobe */
 

@@ -21,8 +21,9 @@ static void ask_text(cl_device_id id, cl_device_info what, char *text, size_t si
     text[size - 1] = '\0';
 }
 
-/* Lanes of our own vectors; 1 where work-items are lanes. Shading is bound by the latency of its
- * chains, so two registers per vector beat one (x 1.14 with AVX2), up to the widest OpenCL has. */
+/* Lanes of our own vectors; 1 where work-items are lanes. Two registers per vector beat one with AVX2
+ * (x 1.14, when a light on a block was still one long chain; not measured since), up to the widest
+ * that OpenCL has. */
 static uint32_t lanes_of(cl_device_id id, cl_device_type type)
 {
     cl_uint native = 1;
