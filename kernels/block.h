@@ -10,19 +10,16 @@
 #    define BLOCK_ROWS 4
 #    define LANE_COLUMN ((real)(0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3))
 #    define LANE_ROW ((real)(0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3))
-#    define JOIN_ROWS(row) ((float16)(row(0), row(1), row(2), row(3)))
 #elif TL_WIDTH == 8
 #    define BLOCK_COLUMNS 4
 #    define BLOCK_ROWS 2
 #    define LANE_COLUMN ((real)(0, 1, 2, 3, 0, 1, 2, 3))
 #    define LANE_ROW ((real)(0, 0, 0, 0, 1, 1, 1, 1))
-#    define JOIN_ROWS(row) ((float8)(row(0), row(1)))
 #elif TL_WIDTH == 4
 #    define BLOCK_COLUMNS 4
 #    define BLOCK_ROWS 1
 #    define LANE_COLUMN ((real)(0, 1, 2, 3))
 #    define LANE_ROW ((real)0)
-#    define JOIN_ROWS(row) (row(0))
 #else
 #    define BLOCK_COLUMNS 1
 #    define BLOCK_ROWS 1
@@ -38,30 +35,48 @@
 #else
 #    define PREFETCH(at, is_written) ((void)(at))
 #endif
-#define FLOATS_PER_LINE 16
+#define BYTES_PER_LINE 64
 
-/* `from` and `to` are the block's first pixel in a plane of `pitch` floats a row. */
+/* Blocks of planes of whole numbers. `from` and `to` are the block's first pixel in a plane of `pitch`
+ * numbers a row. */
 #if TL_WIDTH == 1
-TL_INLINE real load_block(__global const float *from, uint pitch)
+#    define NUMBERS(type, from, pitch) ((void)(pitch), (word32) * (__global const type *)(from))
+#elif TL_WIDTH == 4
+#    define NUMBERS(type, from, pitch) ((void)(pitch), NUMBER_ROW(type, from, 0))
+#elif TL_WIDTH == 8
+#    define NUMBERS(type, from, pitch) \
+        ((word32)(NUMBER_ROW(type, from, 0), NUMBER_ROW(type, from, pitch)))
+#else
+#    define NUMBERS(type, from, pitch)                                      \
+        ((word32)(NUMBER_ROW(type, from, 0), NUMBER_ROW(type, from, pitch), \
+                  NUMBER_ROW(type, from, 2 * (size_t)(pitch)),              \
+                  NUMBER_ROW(type, from, 3 * (size_t)(pitch))))
+#endif
+#define NUMBER_ROW(type, from, offset) \
+    convert_uint4(vload4(0, (__global const type *)(from) + (offset)))
+
+TL_INLINE word32 load_bytes(__global const uchar *from, uint pitch)
 {
-    (void)pitch;
-    return (real)*from;
+    return NUMBERS(uchar, from, pitch);
 }
 
+TL_INLINE word32 load_shorts(__global const uchar *from, uint pitch)
+{
+    return NUMBERS(ushort, from, pitch);
+}
+
+TL_INLINE word32 load_ints(__global const uchar *from, uint pitch)
+{
+    return NUMBERS(uint, from, pitch);
+}
+
+#if TL_WIDTH == 1
 TL_INLINE void store_block(real v, __global float *to, uint pitch)
 {
     (void)pitch;
     *to = (float)v;
 }
 #else
-TL_INLINE real load_block(__global const float *from, uint pitch)
-{
-    (void)pitch; /* a block of one row */
-#    define ROW(i) vload4(0, from + (size_t)(i)*pitch)
-    return TO_REAL(JOIN_ROWS(ROW));
-#    undef ROW
-}
-
 TL_INLINE void store_block(real v, __global float *to, uint pitch)
 {
     const TL_LANES(float) f = TL_LANES(convert_float)(v);

@@ -9,6 +9,7 @@
  *
  * Barriers stand only where all work-items of a group come to them: loops have the same bounds for
  * all, and branches around a barrier depend on nothing that differs. */
+#include "load_pixel.h"
 #include "options.h"
 #include "tile_box.h"
 #include "tile_rect.h"
@@ -48,22 +49,26 @@ TL_INLINE tile_box join_boxes(tile_box mine, __local scalar *all)
 
 /* The box of every position that shading computes in the tile where above < depth <= up_to. */
 TL_INLINE tile_box box_of_tile(const tl_frame *frame,
-                               __global const float *depths,
+                               __global const uchar *planes,
                                uint tile,
                                scalar above,
                                scalar up_to,
                                __local scalar *all)
 {
     const tl_needs needs = needs_of_build();
+    const tl_layout layout = layout_of_build();
+    const size_t plane_size = (size_t)frame->rows * frame->pitch;
     const uint column0 = tile % frame->tiles_x * frame->tile_size;
     const uint row0 = tile / frame->tiles_x * frame->tile_size;
     tile_box b = empty_box();
     for (uint i = get_local_id(0); i < frame->tile_size * frame->tile_size; i += TL_GROUP) {
         const uint column = column0 + i % frame->tile_size, row = row0 + i / frame->tile_size;
-        const scalar depth = depths[(size_t)(frame->buffer_row + row) * frame->pitch + column];
-        const vec3 p = view_position(frame->rays, needs, (scalar)column,
-                                     (scalar)(frame->first_row + row), depth);
-        const mask within = depth > above && depth <= up_to;
+        const tl_words words =
+            load_words(&layout, planes, plane_size,
+                       (size_t)(frame->buffer_row + row) * frame->pitch + column, frame->pitch);
+        const vec3 p = position_of(frame, needs, &layout, &words, (scalar)column,
+                                   (scalar)(frame->first_row + row));
+        const mask within = -p.z > above && -p.z <= up_to;
         include(&b.low[0], &b.high[0], within, p.x);
         include(&b.low[1], &b.high[1], within, p.y);
         include(&b.low[2], &b.high[2], within, p.z);
@@ -71,11 +76,11 @@ TL_INLINE tile_box box_of_tile(const tl_frame *frame,
     return join_boxes(b, all);
 }
 
-/* surface  [rows][pitch], m: the plane TL_DEPTH
+/* planes   the frame's word planes, of which positions are read
  * boxes    [2][6][tiles_y][box_pitch], written for every tile
  * Global size: TL_GROUP * tiles_x * tiles_y, in groups of TL_GROUP. */
 __kernel void bound_tiles(const tl_frame frame,
-                          __global const float *restrict surface,
+                          __global const uchar *restrict planes,
                           __global scalar *restrict boxes)
 {
     __local scalar all[VALUES * TL_GROUP];
@@ -83,12 +88,12 @@ __kernel void bound_tiles(const tl_frame frame,
     const size_t plane = (size_t)frame.tiles_y * frame.box_pitch;
     __global scalar *to =
         boxes + (size_t)(tile / frame.tiles_x) * frame.box_pitch + tile % frame.tiles_x;
-    tile_box near = box_of_tile(&frame, surface, tile, -INFINITY, MAXFLOAT, all);
+    tile_box near = box_of_tile(&frame, planes, tile, -INFINITY, MAXFLOAT, all);
     tile_box far = empty_box();
     if (frame.box_count > 1 && is_deep(near)) {
         const scalar middle = middle_depth(near);
-        far = box_of_tile(&frame, surface, tile, middle, MAXFLOAT, all);
-        near = box_of_tile(&frame, surface, tile, -INFINITY, middle, all);
+        far = box_of_tile(&frame, planes, tile, middle, MAXFLOAT, all);
+        near = box_of_tile(&frame, planes, tile, -INFINITY, middle, all);
     }
     if (get_local_id(0) == 0) {
         store_box(near, to, plane);

@@ -6,6 +6,7 @@
  *   real      one quantity per lane: floatN or doubleN, N = TL_WIDTH; on the host N is 1
  *   scalar    the element of real, for what is the same in every lane
  *   integer   lanes of integers as wide as real;  mask: what comparing two reals gives
+ *   word32    lanes of 32 bits, whatever real is: what a packed pixel is read as
  *   R(x)      a literal of type scalar
  *
  * Rules that make every width and the host give the same bits, and why:
@@ -64,6 +65,12 @@ typedef TL_LANES(TL_INTEGER) integer;
 #    define AS_REAL(i) TL_PASTE(as_, TL_LANES(TL_SCALAR))(i)
 #    define TO_INTEGER(x) TL_PASTE(convert_, TL_LANES(TL_INTEGER))(x)
 #    define AS_INTEGER(x) TL_PASTE(as_, TL_LANES(TL_INTEGER))(x)
+
+/* Of words: as signed numbers; the float with these bits; the whole number, below 2^31. */
+typedef TL_LANES(uint) word32;
+#    define WORD_AS_INT(w) TL_PASTE(as_, TL_LANES(int))(w)
+#    define WORD_AS_REAL(w) TO_REAL(TL_PASTE(as_, TL_LANES(float))(w))
+#    define WORD_TO_REAL(w) TO_REAL(WORD_AS_INT(w))
 
 /* FOLD(HALVES, v) combines the lanes of v to one, as a tree; HALVES(v) joins v.lo and v.hi. */
 #    if TL_WIDTH == 16
@@ -144,6 +151,17 @@ typedef int mask;
 TL_INLINE int any_lane(mask which)
 {
     return which;
+}
+
+typedef uint32_t word32;
+#    define WORD_AS_INT(w) ((int32_t)(w))
+#    define WORD_TO_REAL(w) ((real)WORD_AS_INT(w))
+
+TL_INLINE real WORD_AS_REAL(word32 w)
+{
+    float x;
+    memcpy(&x, &w, sizeof x);
+    return (real)x;
 }
 
 TL_INLINE integer AS_INTEGER(real x)

@@ -20,7 +20,7 @@ typedef struct tl_rays {
  * are filled up with sky, so that no kernel has an edge case. */
 typedef struct tl_frame {
     tl_rays rays;
-    float view_from_world[3][4]; /* a rotation; column 3 is not used on the device */
+    float view_from_world[3][4]; /* a rotation; column 3 a translation, m */
     float ambient[3];            /* linear Rec. 709 */
     tl_u32 tile_size;            /* px: 8, 16, 32 or 64, at least the vector width */
     float sky[3];                /* radiance where nothing was hit */
@@ -35,8 +35,11 @@ typedef struct tl_frame {
     tl_u32 list_capacity;        /* entries that the lists of the band may have in all */
     tl_u32 cell_capacity;        /* entries that the lists of cells may have in all */
     tl_u32 has_cells;            /* 1: lights are listed by cell first */
+    float depth_slope, depth_offset; /* from stored depth to metres: depth_code.h */
+    float slack_x,
+        slack_y; /* of stored positions: at most this far off their ray, x/depth or m */
 } tl_frame;
-TL_STATIC_ASSERT(sizeof(tl_frame) == 144, frame_is_nine_rows);
+TL_STATIC_ASSERT(sizeof(tl_frame) == 160, frame_is_ten_rows);
 
 #define TL_MAX_BOXES 2 /* per tile */
 

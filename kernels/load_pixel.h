@@ -1,37 +1,43 @@
-/* Pixels from the planes of a frame. OpenCL only. */
+/* Pixels from the word planes of a frame, as they are packed. OpenCL only. */
 #ifndef TL_LOAD_PIXEL_H
 #define TL_LOAD_PIXEL_H
 
 #include "block.h"
-#include "pixel.h"
+#include "unpack.h"
 
-#define PLANE_AT(plane) (in + TL_SLOT(TL_PRESENT, plane) * plane_size)
-#define LOAD_PLANE(plane) load_block(PLANE_AT(plane), pitch)
-#define LOAD_IF(group, plane, otherwise) \
-    ((TL_PRESENT & (group)) ? LOAD_PLANE(plane) : (real)(otherwise))
-
-/* in: the block in the first plane; planes are plane_size floats apart. */
-TL_INLINE pixel load_pixel(__global const float *in, size_t plane_size, uint pitch)
+/* The layout of the build: what is read from it is a constant. */
+TL_INLINE tl_layout layout_of_build(void)
 {
-    pixel p;
-    p.depth = LOAD_PLANE(TL_DEPTH);
-    p.normal.x = LOAD_PLANE(TL_NORMAL_X);
-    p.normal.y = LOAD_PLANE(TL_NORMAL_Y);
-    p.normal.z = LOAD_PLANE(TL_NORMAL_Z);
-    p.albedo.x = LOAD_PLANE(TL_ALBEDO_R);
-    p.albedo.y = LOAD_PLANE(TL_ALBEDO_G);
-    p.albedo.z = LOAD_PLANE(TL_ALBEDO_B);
-    p.specular.x = LOAD_IF(TL_GROUP_PHONG, TL_SPECULAR_R, 0);
-    p.specular.y = LOAD_IF(TL_GROUP_PHONG, TL_SPECULAR_G, 0);
-    p.specular.z = LOAD_IF(TL_GROUP_PHONG, TL_SPECULAR_B, 0);
-    p.shininess = LOAD_IF(TL_GROUP_PHONG, TL_SHININESS, 0);
-    p.metallic = LOAD_IF(TL_GROUP_METAL_ROUGH, TL_METALLIC, 0);
-    p.roughness = LOAD_IF(TL_GROUP_METAL_ROUGH, TL_ROUGHNESS, 0);
-    p.occlusion = LOAD_IF(TL_GROUP_OCCLUSION, TL_OCCLUSION, 1);
-    p.emissive.x = LOAD_IF(TL_GROUP_EMISSIVE, TL_EMISSIVE_R, 0);
-    p.emissive.y = LOAD_IF(TL_GROUP_EMISSIVE, TL_EMISSIVE_G, 0);
-    p.emissive.z = LOAD_IF(TL_GROUP_EMISSIVE, TL_EMISSIVE_B, 0);
-    return p;
+    return tl_layouts[TL_LAYOUT];
+}
+
+/* A block of one plane, `pitch` numbers from row to row. */
+TL_INLINE word32 load_word(__global const uchar *from, uint bytes, uint pitch)
+{
+    if (bytes == 1)
+        return load_bytes(from, pitch);
+    if (bytes == 2)
+        return load_shorts(from, pitch);
+    return load_ints(from, pitch);
+}
+
+/* planes: the frame's word planes, of plane_size numbers each. at: the block's first pixel. */
+TL_INLINE tl_words load_words(const tl_layout *layout,
+                              __global const uchar *planes,
+                              size_t plane_size,
+                              size_t at,
+                              uint pitch)
+{
+    tl_words words;
+    size_t before = 0;
+    for (uint i = 0; i < TL_MAX_WORDS; i++) {
+        const uint bytes = i < layout->word_count ? word_bytes(layout, TL_PRESENT, i) : 0;
+        words.of[i] = 0;
+        if (bytes != 0)
+            words.of[i] = load_word(planes + before * plane_size + at * bytes, bytes, pitch);
+        before += bytes;
+    }
+    return words;
 }
 
 #endif

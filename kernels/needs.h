@@ -10,12 +10,14 @@ typedef struct tl_needs {
     tl_u32 falloffs;     /* rows of falloff.h in use, bits 1 << row */
     tl_u32 specular;     /* 1: some light and some material have a specular lobe */
     tl_u32 orthographic; /* 1: parallel rays */
+    tl_u32 layout;       /* how pixels are packed: a row of layout.h */
 } tl_needs;
 
 #ifdef __OPENCL_C_VERSION__
 TL_INLINE tl_needs needs_of_build(void)
 {
-    const tl_needs needs = {TL_PRESENT, TL_FALLOFFS_USED, TL_SPECULAR, TL_ORTHOGRAPHIC};
+    const tl_needs needs = {TL_PRESENT, TL_FALLOFFS_USED, TL_SPECULAR, TL_ORTHOGRAPHIC,
+                            TL_LAYOUT};
     return needs;
 }
 #endif

@@ -14,6 +14,7 @@
  *   real_double    1: compute in double; G-buffer and radiance remain float
  *   precise_power  1: log2 and exp2 of the library for our polynomials; slow, other bits
  *   orthographic   1: parallel rays
+ *   layout         how pixels are packed: a row of layout.h
  *   present        the planes of the frame, bits 1 << plane
  *   specular       1: some light has a specular lobe and the frame a specular material
  *   falloffs       the rows of falloff.h that lights of the scene use, bits 1 << row */
@@ -23,14 +24,15 @@
     X(TL_REAL_DOUBLE, real_double)     \
     X(TL_PRECISE_POWER, precise_power) \
     X(TL_ORTHOGRAPHIC, orthographic)   \
+    X(TL_LAYOUT, layout)               \
     X(TL_PRESENT, present)             \
     X(TL_SPECULAR, specular)           \
     X(TL_FALLOFFS_USED, falloffs)
 
 #ifdef __OPENCL_C_VERSION__
-#    if !defined(TL_WIDTH) || !defined(TL_BY_PIXEL) || !defined(TL_REAL_DOUBLE) ||         \
-        !defined(TL_PRECISE_POWER) || !defined(TL_ORTHOGRAPHIC) || !defined(TL_PRESENT) || \
-        !defined(TL_SPECULAR) || !defined(TL_FALLOFFS_USED)
+#    if !defined(TL_WIDTH) || !defined(TL_BY_PIXEL) || !defined(TL_REAL_DOUBLE) ||        \
+        !defined(TL_PRECISE_POWER) || !defined(TL_ORTHOGRAPHIC) || !defined(TL_LAYOUT) || \
+        !defined(TL_PRESENT) || !defined(TL_SPECULAR) || !defined(TL_FALLOFFS_USED)
 #        error "build the kernels through tl_program_build(), which passes every option"
 #    endif
 #    if TL_BY_PIXEL && TL_WIDTH != 1

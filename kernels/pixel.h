@@ -21,17 +21,25 @@ TL_INLINE phong_material material_of(tl_needs needs, pixel of)
     return m;
 }
 
+/* position, normal: in view space, the normal unit or 0. */
+TL_INLINE surface surface_at(tl_needs needs, vec3 position, vec3 normal, real shininess)
+{
+    surface s;
+    s.position = position;
+    s.normal = normal;
+    s.to_eye = normal;
+    if (needs.specular)
+        s.to_eye = direction_to_eye(needs, position);
+    s.shininess = shininess;
+    return s;
+}
+
+/* Of a pixel that is not packed: its position is on its ray, its normal in world space. */
 TL_INLINE surface surface_of(
     const tl_frame *frame, tl_needs needs, pixel of, real shininess, real column, real row)
 {
-    surface s;
-    s.position = view_position(frame->rays, needs, column, row, of.depth);
-    s.normal = view_normal(frame, of.normal);
-    s.to_eye = s.normal;
-    if (needs.specular)
-        s.to_eye = direction_to_eye(needs, s.position);
-    s.shininess = shininess;
-    return s;
+    return surface_at(needs, view_position(frame->rays, needs, column, row, of.depth),
+                      view_normal(frame, of.normal), shininess);
 }
 
 /* Radiance of one channel. Ambient light multiplies the albedo plane, not the diffuse colour, so

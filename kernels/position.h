@@ -34,9 +34,8 @@ TL_INLINE vec3 direction_to_eye(tl_needs needs, vec3 position)
     return v;
 }
 
-/* A world-space normal of any finite length as a unit vector in view space; 0 stays 0, which no
- * light reaches. Rotation, squares and division: unit to within 2u. */
-TL_INLINE vec3 view_normal(const tl_frame *frame, vec3 world)
+/* A direction in world space as one in view space. */
+TL_INLINE vec3 view_direction(const tl_frame *frame, vec3 world)
 {
     const vec3 rows[3] = {
         {(real)frame->view_from_world[0][0], (real)frame->view_from_world[0][1],
@@ -46,11 +45,34 @@ TL_INLINE vec3 view_normal(const tl_frame *frame, vec3 world)
         {(real)frame->view_from_world[2][0], (real)frame->view_from_world[2][1],
          (real)frame->view_from_world[2][2]},
     };
-    const vec3 n = {dot3(rows[0], world), dot3(rows[1], world), dot3(rows[2], world)};
-    const real length2 = dot3(n, n);
+    const vec3 v = {dot3(rows[0], world), dot3(rows[1], world), dot3(rows[2], world)};
+    return v;
+}
+
+/* A point in world space, m, in view space. Rounding is of the size of what is added, so far from the
+ * world's origin the point is as coarse as its coordinates. */
+TL_INLINE vec3 view_point(const tl_frame *frame, vec3 world)
+{
+    const vec3 v = view_direction(frame, world);
+    const vec3 p = {v.x + frame->view_from_world[0][3], v.y + frame->view_from_world[1][3],
+                    v.z + frame->view_from_world[2][3]};
+    return p;
+}
+
+/* A vector of any finite length as a unit vector; 0 stays 0. */
+TL_INLINE vec3 unit3(vec3 v)
+{
+    const real length2 = dot3(v, v);
     const real k = pick(length2 > R(0.0), R(1.0) / SQRT(length2), R(0.0));
-    const vec3 unit = {n.x * k, n.y * k, n.z * k};
+    const vec3 unit = {v.x * k, v.y * k, v.z * k};
     return unit;
+}
+
+/* A world-space normal of any finite length as a unit vector in view space; 0 stays 0, which no
+ * light reaches. Rotation, squares and division: unit to within 2u. */
+TL_INLINE vec3 view_normal(const tl_frame *frame, vec3 world)
+{
+    return unit3(view_direction(frame, world));
 }
 
 #endif

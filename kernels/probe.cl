@@ -30,6 +30,10 @@ __kernel void probe_layout(__global uint *out)
     out[n++] = OFFSET(frame, list_capacity);
     out[n++] = OFFSET(frame, cell_capacity);
     out[n++] = OFFSET(frame, has_cells);
+    out[n++] = OFFSET(frame, depth_slope);
+    out[n++] = OFFSET(frame, depth_offset);
+    out[n++] = OFFSET(frame, slack_x);
+    out[n++] = OFFSET(frame, slack_y);
     out[n++] = sizeof(tl_view_light);
     out[n++] = OFFSET(light, position);
     out[n++] = OFFSET(light, range2);

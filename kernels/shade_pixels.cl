@@ -8,7 +8,7 @@
 /* Arguments as those of shade_tiles. Global size: tile_size * tile_size * tiles_x * tiles_y, in groups
  * of TL_GROUP; a tile's pixels row by row, tiles row by row. */
 __kernel void shade_pixels(const tl_frame frame,
-                           __global const float *restrict planes,
+                           __global const uchar *restrict planes,
                            __global const tl_view_light *restrict lights,
                            __global const uint *restrict starts,
                            __global const uint *restrict ends,
@@ -25,10 +25,11 @@ __kernel void shade_pixels(const tl_frame frame,
     const size_t at = (size_t)(frame.buffer_row + row) * frame.pitch + column;
     const tl_needs needs = needs_of_build();
 
-    const pixel in = load_pixel(planes + at, plane_size, frame.pitch);
-    const phong_material m = material_of(needs, in);
-    const surface s = surface_of(&frame, needs, in, m.shininess, (scalar)column,
-                                 (scalar)(frame.first_row + row));
+    const tl_layout layout = layout_of_build();
+    const tl_words words = load_words(&layout, planes, plane_size, at, frame.pitch);
+    const surface s = unpacked_surface(&frame, needs, &layout, &words, (scalar)column,
+                                       (scalar)(frame.first_row + row));
+    const pixel in = pixel_of(needs, &layout, &words, -s.position.z);
     received sum = {{0, 0, 0}, {0, 0, 0}};
     if (in.depth < (real)INFINITY) {
         for (uint i = 0; i < frame.global_count; i++)
@@ -36,7 +37,7 @@ __kernel void shade_pixels(const tl_frame frame,
         for (uint i = starts[tile]; i < ends[tile]; i++)
             sum = add_ranged_light(sum, needs, s, lights[list[i]]);
     }
-    const vec3 out = radiance_of(&frame, needs, in, m, sum);
+    const vec3 out = radiance_of(&frame, needs, in, material_of(needs, in), sum);
     store_block(out.x, radiance + at, frame.pitch);
     store_block(out.y, radiance + plane_size + at, frame.pitch);
     store_block(out.z, radiance + 2 * plane_size + at, frame.pitch);

@@ -20,20 +20,27 @@
 #define MOST_BLOCKS (64 / BLOCK_COLUMNS)
 
 /* Asks for the same rows of the tile to the right, which is lit next as a rule: a processor's own
- * prefetching does not follow a line of 64 bytes in each of dozens of rows. */
-TL_INLINE void ask_for_next(__global const float *planes,
+ * prefetching does not follow a line of 64 bytes in each of dozens of rows. first: of these rows. */
+TL_INLINE void ask_for_next(const tl_layout *layout,
+                            __global const uchar *planes,
                             __global const float *radiance,
+                            size_t first,
                             const tl_frame *frame)
 {
     const size_t plane_size = (size_t)frame->rows * frame->pitch;
-    for (uint row = 0; row < BLOCK_ROWS; row++)
-        for (uint column = 0; column < frame->tile_size; column += FLOATS_PER_LINE) {
-            const size_t at = row * frame->pitch + frame->tile_size + column;
-            for (uint plane = 0; plane < popcount(TL_PRESENT); plane++)
-                PREFETCH(planes + plane * plane_size + at, 0);
-            for (uint plane = 0; plane < 3; plane++)
-                PREFETCH(radiance + plane * plane_size + at, 1);
+    for (uint row = 0; row < BLOCK_ROWS; row++) {
+        const size_t next = first + row * frame->pitch + frame->tile_size;
+        size_t before = 0;
+        for (uint i = 0; i < layout->word_count; i++) {
+            const uint bytes = word_bytes(layout, TL_PRESENT, i);
+            for (uint offset = 0; offset < frame->tile_size * bytes; offset += BYTES_PER_LINE)
+                PREFETCH(planes + before * plane_size + next * bytes + offset, 0);
+            before += bytes;
         }
+        for (uint plane = 0; plane < 3; plane++)
+            for (uint column = 0; column < frame->tile_size; column += BYTES_PER_LINE / 4)
+                PREFETCH(radiance + plane * plane_size + next + column, 1);
+    }
 }
 
 /* Lights of a list that are taken through the loops together: the arrays below stay in L1. */
@@ -86,13 +93,13 @@ TL_INLINE received add_listed_lights(received sum,
     return sum;
 }
 
-/* planes    [popcount(TL_PRESENT)][rows][pitch], planes.h
+/* planes    the frame's word planes, [rows][pitch] numbers each: layout.h
  * lights    [light_count]: first the global_count that reach everything
  * starts, ends  [tiles_y * tiles_x]: tile t lists list[starts[t]] to list[ends[t] - 1], ascending
  * radiance  [3][rows][pitch], linear Rec. 709; written in full for every tile of the image
  * Global size: tiles_x * tiles_y, tiles row by row. */
 __kernel void shade_tiles(const tl_frame frame,
-                          __global const float *restrict planes,
+                          __global const uchar *restrict planes,
                           __global const tl_view_light *restrict lights,
                           __global const uint *restrict starts,
                           __global const uint *restrict ends,
@@ -105,19 +112,20 @@ __kernel void shade_tiles(const tl_frame frame,
     const uint start = starts[tile], end = ends[tile];
     const size_t plane_size = (size_t)frame.rows * frame.pitch;
     const tl_needs needs = needs_of_build();
+    const tl_layout layout = layout_of_build();
 
     surface surfaces[MOST_BLOCKS];
 
     for (uint row = row0; row < row0 + frame.tile_size; row += BLOCK_ROWS) {
         const size_t first = (size_t)(frame.buffer_row + row) * frame.pitch + column0;
-        ask_for_next(planes + first, radiance + first, &frame);
+        ask_for_next(&layout, planes, radiance, first, &frame);
         for (uint b = 0; b < frame.tile_size / BLOCK_COLUMNS; b++) {
             const uint column = column0 + b * BLOCK_COLUMNS;
-            const pixel in =
-                load_pixel(planes + first + b * BLOCK_COLUMNS, plane_size, frame.pitch);
-            surfaces[b] = surface_of(&frame, needs, in, material_of(needs, in).shininess,
-                                     (scalar)column + LANE_COLUMN,
-                                     (scalar)(frame.first_row + row) + LANE_ROW);
+            const tl_words words =
+                load_words(&layout, planes, plane_size, first + b * BLOCK_COLUMNS, frame.pitch);
+            surfaces[b] =
+                unpacked_surface(&frame, needs, &layout, &words, (scalar)column + LANE_COLUMN,
+                                 (scalar)(frame.first_row + row) + LANE_ROW);
         }
         for (uint b = 0; b < frame.tile_size / BLOCK_COLUMNS; b++) {
             const size_t at = first + b * BLOCK_COLUMNS;
@@ -130,7 +138,8 @@ __kernel void shade_tiles(const tl_frame frame,
                     sum = add_listed_lights(sum, needs, s, lights, list + i,
                                             min(end - i, (uint)LIGHTS_AT_ONCE));
             }
-            const pixel in = load_pixel(planes + at, plane_size, frame.pitch);
+            const tl_words words = load_words(&layout, planes, plane_size, at, frame.pitch);
+            const pixel in = pixel_of(needs, &layout, &words, -s.position.z);
             const vec3 out = radiance_of(&frame, needs, in, material_of(needs, in), sum);
             store_block(out.x, radiance + at, frame.pitch);
             store_block(out.y, radiance + plane_size + at, frame.pitch);

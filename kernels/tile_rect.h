@@ -6,7 +6,8 @@
  *   1. range. Computed d2 < range2 allows an exact distance up to sqrt(range2 (1 + 8u)): six
  *      roundings in d2. Below 1e-20 m squares vanish, so as much is added.
  *   2. ray. A computed position has x/depth off its pixel's ray by at most 8u (|left| + |right|):
- *      2u|ray| in view_position, 2u (|x0| + |dx| width) in rounding x0 and dx.
+ *      2u|ray| in view_position, 2u (|x0| + |dx| width) in rounding x0 and dx. A stored one by what
+ *      the frame says (tl_frame.slack_x, slack_y).
  *   3. depth. near and far are bounds of the computed depths, not the camera's planes. */
 #ifndef TL_TILE_RECT_H
 #define TL_TILE_RECT_H
@@ -60,8 +61,10 @@ TL_INLINE tl_view_window view_window(const tl_frame *frame,
     w.top = (double)rays.y0 - 0.5 * w.height;
     w.near = near;
     w.far = far;
-    w.margin_x = TL_RAY_MARGIN * (fabs(w.left) + fabs(w.left + w.width * right_px));
-    w.margin_y = TL_RAY_MARGIN * (fabs(w.top) + fabs(w.top + w.height * bottom_px));
+    w.margin_x = TL_RAY_MARGIN * (fabs(w.left) + fabs(w.left + w.width * right_px)) +
+                 (double)frame->slack_x;
+    w.margin_y = TL_RAY_MARGIN * (fabs(w.top) + fabs(w.top + w.height * bottom_px)) +
+                 (double)frame->slack_y;
     w.orthographic = orthographic;
     return w;
 }

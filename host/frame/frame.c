@@ -1,6 +1,7 @@
 #include "prepared.h"
 
 #include "falloff.h"
+#include "view.h"
 
 #include <float.h>
 #include <stdio.h>
@@ -130,27 +131,20 @@ static void name_left_out(const tl_light_set *lights,
               length >= sizeof names - 80 ? ", ..." : "");
 }
 
-static tl_rays rays_of(const tl_camera *camera)
-{
-    const double dx = ((double)camera->right - (double)camera->left) / camera->width;
-    const double dy = ((double)camera->bottom - (double)camera->top) / camera->height;
-    return (tl_rays){(float)((double)camera->left + 0.5 * dx), (float)dx,
-                     (float)((double)camera->top + 0.5 * dy), (float)dy};
-}
-
 static tl_frame frame_of(const tl_gbuffer *gbuffer,
                          const tl_light_set *lights,
                          uint32_t tile_size)
 {
     const tl_camera *camera = &gbuffer->camera;
-    tl_frame frame = {.rays = rays_of(camera),
-                      .tile_size = tile_size,
+    tl_frame frame = {.tile_size = tile_size,
                       .pitch = gbuffer->pitch,
                       .rows = gbuffer->rows,
                       .tiles_x = (camera->width + tile_size - 1) / tile_size,
                       .tiles_y = (camera->height + tile_size - 1) / tile_size};
     frame.box_pitch = (frame.tiles_x + box_granule - 1) / box_granule * box_granule;
-    memcpy(frame.view_from_world, camera->view_from_world, sizeof frame.view_from_world);
+    tl_view_set(camera, gbuffer->layout, &frame);
+    frame.slack_x = gbuffer->slack_x;
+    frame.slack_y = gbuffer->slack_y;
     memcpy(frame.ambient, lights->ambient, sizeof frame.ambient);
     memcpy(frame.sky, lights->sky, sizeof frame.sky);
     return frame;
@@ -187,6 +181,7 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
     prepared->frame = frame_of(gbuffer, lights, tile_size);
     prepared->frame.box_count = box_count;
     prepared->needs = (tl_needs){.present = gbuffer->present,
+                                 .layout = gbuffer->layout,
                                  .orthographic = gbuffer->camera.projection == TL_ORTHOGRAPHIC};
     collect(&gbuffer->camera, lights, light_cutoff, 1, prepared);
     collect(&gbuffer->camera, lights, light_cutoff, 0, prepared);

@@ -1,16 +1,12 @@
 #include "bands.h"
 
+#include "layout.h"
 #include "try.h"
 
 /* One band: rows of tiles [first, first + count) of the frame. */
 typedef struct band {
     uint32_t first, count;
 } band;
-
-static size_t plane_count(const tl_gbuffer *gbuffer)
-{
-    return (size_t)__builtin_popcount(gbuffer->present);
-}
 
 /* Bytes of the device's own memory per row of tiles, lists apart. */
 static uint64_t bytes_per_row(const tl_pass_context *c, const tl_gbuffer *gbuffer)
@@ -22,7 +18,7 @@ static uint64_t bytes_per_row(const tl_pass_context *c, const tl_gbuffer *gbuffe
             frame->box_pitch +
         2 * sizeof(cl_uint) * frame->tiles_x + sizeof(cl_ulong);
     const uint64_t pixels =
-        (plane_count(gbuffer) + 3) * sizeof(float) * frame->pitch * frame->tile_size;
+        (tl_gbuffer_pixel_size(gbuffer) + 3 * sizeof(float)) * frame->pitch * frame->tile_size;
     return tiles + (c->device->shares_memory ? 0 : pixels);
 }
 
@@ -69,6 +65,30 @@ static void aim_at(tl_pass_context *c, const tl_gbuffer *gbuffer, band at)
     c->frame.buffer_row = c->device->shares_memory ? c->frame.first_row : 0;
 }
 
+/* Rows of the band, plane after plane. */
+static tl_status upload_words(tl_pass_context *c, const tl_gbuffer *gbuffer, tl_error *err)
+{
+    const size_t pixels = (size_t)gbuffer->pitch * c->frame.rows;
+    tl_status status = TL_OK;
+    size_t before = 0;
+    TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_PLANES,
+                           pixels * tl_gbuffer_pixel_size(gbuffer), err));
+    for (uint32_t i = 0; i < TL_MAX_WORDS; i++) {
+        const size_t bytes = tl_gbuffer_word_size(gbuffer, i);
+        if (bytes == 0)
+            continue;
+        const unsigned char *from = tl_gbuffer_words(gbuffer, i);
+        TRY(tl_cl(clEnqueueWriteBuffer(
+                      c->device->queue, c->buffers->of[TL_BUFFER_PLANES].memory, CL_TRUE,
+                      before * pixels, bytes * pixels,
+                      from + bytes * gbuffer->pitch * c->frame.first_row, 0, NULL, NULL),
+                  "clEnqueueWriteBuffer", err));
+        before += bytes;
+    }
+done:
+    return status;
+}
+
 /* Shared planes stay where they are; others travel a band at a time. The last tile row may reach
  * below the image, never below the padding. */
 static tl_status upload(tl_pass_context *c,
@@ -76,26 +96,18 @@ static tl_status upload(tl_pass_context *c,
                         tl_image *image,
                         tl_error *err)
 {
-    const size_t row = (size_t)gbuffer->pitch * sizeof(float), host_plane = row * gbuffer->rows;
-    const size_t device_plane = row * c->frame.rows;
+    const size_t host_pixels = (size_t)gbuffer->pitch * gbuffer->rows;
+    const size_t pixels = (size_t)gbuffer->pitch * c->frame.rows;
     tl_status status = TL_OK;
     if (c->device->shares_memory) {
         TRY(tl_buffers_share(c->buffers, c->device, TL_BUFFER_PLANES, gbuffer->planes,
-                             host_plane * plane_count(gbuffer), err));
+                             host_pixels * tl_gbuffer_pixel_size(gbuffer), err));
         TRY(tl_buffers_share(c->buffers, c->device, TL_BUFFER_RADIANCE, image->planes,
-                             3 * host_plane, err));
+                             3 * host_pixels * sizeof(float), err));
     } else {
-        const size_t origin[3] = {0, 0, 0}, host_origin[3] = {0, c->frame.first_row, 0};
-        const size_t region[3] = {row, c->frame.rows, plane_count(gbuffer)};
-        TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_PLANES,
-                               device_plane * plane_count(gbuffer), err));
-        TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_RADIANCE, 3 * device_plane,
-                               err));
-        TRY(tl_cl(clEnqueueWriteBufferRect(c->device->queue,
-                                           c->buffers->of[TL_BUFFER_PLANES].memory, CL_TRUE,
-                                           origin, host_origin, region, row, device_plane, row,
-                                           host_plane, gbuffer->planes, 0, NULL, NULL),
-                  "clEnqueueWriteBufferRect", err));
+        TRY(upload_words(c, gbuffer, err));
+        TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_RADIANCE,
+                               3 * pixels * sizeof(float), err));
     }
 done:
     return status;

@@ -128,6 +128,7 @@ static tl_kernel_options kernel_options(const tl_lighting *lighting)
                                .by_pixel = (uint32_t)by_pixel,
                                .real_double = (uint32_t)is_double,
                                .orthographic = needs->orthographic,
+                               .layout = needs->layout,
                                .present = needs->present,
                                .specular = needs->specular,
                                .falloffs = needs->falloffs};

@@ -271,7 +271,8 @@ static interval stable_power(interval cosine, interval exponent)
     const double low = log_of_power(cosine.low, exponent.high);
     const double high = log_of_power(cosine.high, exponent.low);
     const double dim = exp(low - stable_error(cosine.low, exponent.high, low)) - floor_of_power;
-    const double bright = exp(high + stable_error(cosine.high, exponent.low, high)) + floor_of_power;
+    const double bright =
+        exp(high + stable_error(cosine.high, exponent.low, high)) + floor_of_power;
     const double most = 1.0 + power * U;
     return (interval){cosine.low > 0.0 ? clamp_low(dim) : 0.0, bright < most ? bright : most};
 }

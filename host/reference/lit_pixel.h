@@ -34,13 +34,11 @@ TL_INLINE pixel pixel_at(float *const planes[TL_PLANE_COUNT], size_t at)
     return p;
 }
 
-/* What leaves the pixel towards the eye, lit by every light of the frame. */
-TL_INLINE vec3 light_pixel(const tl_prepared *prepared, pixel in, uint32_t column, uint32_t row)
+/* What leaves the surface of a pixel towards the eye, lit by every light of the frame. */
+TL_INLINE vec3 light_surface(const tl_prepared *prepared, pixel in, surface s)
 {
     const tl_frame *frame = &prepared->frame;
     const tl_needs needs = prepared->needs;
-    const phong_material m = material_of(needs, in);
-    const surface s = surface_of(frame, needs, in, m.shininess, (real)column, (scalar)row);
     received sum = {{0, 0, 0}, {0, 0, 0}};
     if (in.depth < (real)INFINITY) {
         for (uint32_t i = 0; i < frame->global_count; i++)
@@ -48,7 +46,17 @@ TL_INLINE vec3 light_pixel(const tl_prepared *prepared, pixel in, uint32_t colum
         for (uint32_t i = frame->global_count; i < frame->light_count; i++)
             sum = add_ranged_light(sum, needs, s, prepared->lights[i]);
     }
-    return radiance_of(frame, needs, in, m, sum);
+    return radiance_of(frame, needs, in, material_of(needs, in), sum);
+}
+
+/* Of a pixel that is not packed. */
+TL_INLINE vec3 light_pixel(const tl_prepared *prepared, pixel in, uint32_t column, uint32_t row)
+{
+    const tl_needs needs = prepared->needs;
+    return light_surface(prepared, in,
+                         surface_of(&prepared->frame, needs, in,
+                                    material_of(needs, in).shininess, (real)column,
+                                    (scalar)row));
 }
 
 #endif

@@ -35,14 +35,14 @@ static tl_twin_rows *twin_for(tl_arithmetic arithmetic)
 typedef struct job {
     const tl_prepared *prepared;
     tl_twin_rows *twin;
-    float *planes[TL_PLANE_COUNT];
+    tl_word_planes planes;
     float *radiance[3];
 } job;
 
 static void light_rows(void *context, size_t begin, size_t end)
 {
     const job *j = context;
-    j->twin(j->prepared, j->planes, j->radiance, begin, end);
+    j->twin(j->prepared, &j->planes, j->radiance, begin, end);
 }
 
 void tl_reference_light(const tl_prepared *prepared,
@@ -50,9 +50,9 @@ void tl_reference_light(const tl_prepared *prepared,
                         tl_arithmetic arithmetic,
                         tl_image *image)
 {
-    job j = {.prepared = prepared, .twin = twin_for(arithmetic)};
-    for (enum tl_plane p = 0; p < TL_PLANE_COUNT; p++)
-        j.planes[p] = tl_gbuffer_plane(gbuffer, p);
+    job j = {.prepared = prepared,
+             .twin = twin_for(arithmetic),
+             .planes = tl_word_planes_of(gbuffer)};
     for (unsigned i = 0; i < 3; i++)
         j.radiance[i] = tl_image_plane(image, i);
     tl_parallel(prepared->frame.tiles_y * prepared->frame.tile_size, 1, light_rows, &j);

@@ -5,7 +5,7 @@
 tl_twin_rows TL_TWIN;
 
 void TL_TWIN(const tl_prepared *prepared,
-             float *const planes[TL_PLANE_COUNT],
+             const tl_word_planes *planes,
              float *const radiance[3],
              size_t begin,
              size_t end)
@@ -15,7 +15,11 @@ void TL_TWIN(const tl_prepared *prepared,
     for (uint32_t row = (uint32_t)begin; row < end; row++) {
         for (uint32_t column = 0; column < width; column++) {
             const size_t at = (size_t)row * prepared->frame.pitch + column;
-            const vec3 out = light_pixel(prepared, pixel_at(planes, at), column, row);
+            const tl_words words = tl_words_at(planes, at);
+            const surface s = unpacked_surface(&prepared->frame, prepared->needs,
+                                               planes->layout, &words, (real)column, (real)row);
+            const pixel in = pixel_of(prepared->needs, planes->layout, &words, -s.position.z);
+            const vec3 out = light_surface(prepared, in, s);
             radiance[0][at] = (float)out.x;
             radiance[1][at] = (float)out.y;
             radiance[2][at] = (float)out.z;

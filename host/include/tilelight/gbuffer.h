@@ -1,11 +1,13 @@
-/* A captured G-buffer in memory: the camera, and float planes in one aligned block.
+/* A captured G-buffer in memory: the camera, and planes of numbers in one aligned block.
  *
  * The meeting point of the two halves: capture makes it, lighting reads it, files hold it. The
- * block is laid out as kernels read it, so a CPU device lights it without a copy. */
+ * block is laid out as kernels read it, so a CPU device lights it without a copy. In full float a
+ * plane is an attribute (planes.h); a packed one has the words of its layout (layout.h). */
 #ifndef TL_GBUFFER_H
 #define TL_GBUFFER_H
 
 #include "camera.h"
+#include "layout_names.h"
 #include "planes.h"
 
 #include <stdbool.h>
@@ -21,14 +23,21 @@ enum { TL_PADDING = 64 };
 
 typedef struct tl_gbuffer {
     tl_camera camera;
-    uint32_t present; /* bit p: plane p is stored; a union of TL_GROUP_... with TL_GROUP_BASE */
+    enum tl_layout_name layout;
     uint32_t
-        pitch;     /* floats from row to row: at least camera.width, a multiple of TL_PADDING */
+        present; /* bit p: plane p can be had; a union of TL_GROUP_... with TL_GROUP_BASE */
+    uint32_t
+        pitch;     /* pixels from row to row: at least camera.width, a multiple of TL_PADDING */
     uint32_t rows; /* camera.height up to a multiple of TL_PADDING */
-    float *planes; /* [popcount(present)][rows][pitch], aligned to 4096 bytes; padding is sky */
+    /* How far stored positions lie off the rays of their pixels at most: x/depth and y/depth, or m
+     * under an orthographic camera. 0 where the layout stores depth. tl_gbuffer_repair finds it. */
+    float slack_x, slack_y;
+    unsigned char
+        *planes; /* [tl_gbuffer_pixel_size][rows * pitch] bytes, plane after plane, aligned
+                            * to 4096; padding is sky */
 } tl_gbuffer;
 
-/* Every pixel is sky. The caller releases *out with tl_gbuffer_destroy. Fails with
+/* In full float; every pixel is sky. The caller releases *out with tl_gbuffer_destroy. Fails with
  * TL_ERR_ARGUMENT (tl_camera_check; an incomplete group in `present`; both the Phong and the
  * metal-rough group) or TL_ERR_MEMORY. */
 tl_status tl_gbuffer_create(const tl_camera *camera,
@@ -36,11 +45,27 @@ tl_status tl_gbuffer_create(const tl_camera *camera,
                             tl_gbuffer **out,
                             tl_error *err);
 
+/* The same in any layout. Fails with TL_ERR_ARGUMENT too where the layout cannot hold a plane of
+ * `present`, and for its depth's convention under this camera (an infinite far plane). */
+tl_status tl_gbuffer_create_packed(const tl_camera *camera,
+                                   enum tl_layout_name layout,
+                                   uint32_t present,
+                                   tl_gbuffer **out,
+                                   tl_error *err);
+
 /* Accepts NULL. */
 void tl_gbuffer_destroy(tl_gbuffer *gbuffer);
 
-/* [rows][pitch], owned by the G-buffer; NULL where the plane is absent. */
+/* [rows][pitch], owned by the G-buffer, which is in full float; NULL where the plane is absent. */
 float *tl_gbuffer_plane(const tl_gbuffer *gbuffer, enum tl_plane plane);
+
+/* [rows][pitch] of uint8_t, uint16_t or uint32_t, owned by the G-buffer: word `index` of its layout;
+ * NULL where it is not stored. */
+void *tl_gbuffer_words(const tl_gbuffer *gbuffer, uint32_t index);
+
+/* Bytes per pixel of word `index`: 1, 2 or 4, 0 where it is not stored; and of all words. */
+uint32_t tl_gbuffer_word_size(const tl_gbuffer *gbuffer, uint32_t index);
+uint32_t tl_gbuffer_pixel_size(const tl_gbuffer *gbuffer);
 
 /* What tl_gbuffer_repair found, in pixels. */
 typedef struct tl_repairs {

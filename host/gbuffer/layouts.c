@@ -1,0 +1,62 @@
+#include "packing.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const char *const words[TL_LAYOUT_COUNT] = {
+#define LAYOUT_WORD(name, row, word) [name] = word,
+    TL_LAYOUTS(LAYOUT_WORD)
+#undef LAYOUT_WORD
+};
+
+const char *tl_layout_word(enum tl_layout_name layout)
+{
+    return words[layout];
+}
+
+tl_status tl_layout_find(const char *word, enum tl_layout_name *out, tl_error *err)
+{
+    char known[512] = "";
+    size_t length = 0;
+    for (int i = 0; i < TL_LAYOUT_COUNT; i++) {
+        if (strcmp(words[i], word) == 0) {
+            *out = (enum tl_layout_name)i;
+            return TL_OK;
+        }
+        length += (size_t)snprintf(known + length, sizeof known - length, "%s%s",
+                                   length ? ", " : "", words[i]);
+    }
+    return tl_fail(err, TL_ERR_ARGUMENT, "no layout is called \"%.64s\": there are %s", word,
+                   known);
+}
+
+uint32_t tl_layout_planes(enum tl_layout_name layout)
+{
+    const tl_layout *l = &tl_layouts[layout];
+    uint32_t planes = TL_GROUP_BASE;
+    if (l->specular.code && l->shininess.code)
+        planes |= TL_GROUP_PHONG;
+    if (l->metallic.code && l->roughness.code)
+        planes |= TL_GROUP_METAL_ROUGH;
+    if (l->occlusion.code)
+        planes |= TL_GROUP_OCCLUSION;
+    if (l->emissive.code)
+        planes |= TL_GROUP_EMISSIVE;
+    return planes;
+}
+
+tl_status tl_layout_suits(const tl_camera *camera, enum tl_layout_name layout, tl_error *err)
+{
+    const tl_u32 code = tl_layouts[layout].depth.code;
+    const bool parallel = camera->projection == TL_ORTHOGRAPHIC;
+    if (!isinf(camera->far) || (TL_IS_NEARNESS(code) && !parallel) ||
+        (!TL_IS_NEARNESS(code) && code != TL_DEPTH_FRACTION))
+        return TL_OK;
+    return tl_fail(
+        err, TL_ERR_UNSUPPORTED,
+        "the depth of layout %s is a share of the way to the far plane, and this %s"
+        "camera's is infinitely far: choose a layout that stores metres, as float or "
+        "compact-16 do",
+        words[layout], parallel ? "orthographic " : "");
+}

@@ -1,0 +1,140 @@
+#define TL_REAL_DOUBLE 1
+#include "pack.h"
+
+#include "packing.h"
+#include "parallel.h"
+#include "try.h"
+
+#include <stdatomic.h>
+#include <string.h>
+
+typedef struct job {
+    const tl_gbuffer *from, *to;
+    const float *planes[TL_PLANE_COUNT]; /* of `from` */
+    tl_word_planes words;                /* of `to` */
+    tl_packing packing;                  /* what is the same for every pixel */
+    bool to_phong;
+    atomic_ullong cut[TL_PLANE_COUNT];
+} job;
+
+static tl_packing packing_of(const tl_camera *camera,
+                             enum tl_layout_name layout,
+                             uint32_t present,
+                             tl_frame *frame)
+{
+    tl_view_set(camera, layout, frame);
+    return (tl_packing){.layout = &tl_layouts[layout],
+                        .frame = frame,
+                        .needs = {.present = present,
+                                  .orthographic = camera->projection == TL_ORTHOGRAPHIC,
+                                  .layout = layout},
+                        .near = (double)camera->near,
+                        .far = (double)camera->far};
+}
+
+tl_words tl_sky_words(const tl_camera *camera, enum tl_layout_name layout, uint32_t present)
+{
+    static const float empty[TL_PLANE_COUNT] = {
+#define EMPTY_VALUE(name, channel, value, meaning) [name] = value,
+        TL_PLANES(EMPTY_VALUE)
+#undef EMPTY_VALUE
+    };
+    tl_frame frame = {.tile_size = 0};
+    tl_packing packing = packing_of(camera, layout, present, &frame);
+    const pixel sky = {.depth = (real)empty[TL_DEPTH], .occlusion = (real)empty[TL_OCCLUSION]};
+    pack_pixel(&packing, sky, 0.0, 0.0);
+    return packing.words;
+}
+
+static real value_at(const job *j, int plane, size_t at, real otherwise)
+{
+    return j->planes[plane] ? (real)j->planes[plane][at] : otherwise;
+}
+
+static vec3 three_at(const job *j, int first, size_t at)
+{
+    return (vec3){value_at(j, first, at, 0.0), value_at(j, first + 1, at, 0.0),
+                  value_at(j, first + 2, at, 0.0)};
+}
+
+static pixel pixel_at(const job *j, size_t at)
+{
+    pixel p = {.depth = value_at(j, TL_DEPTH, at, 0.0),
+               .normal = three_at(j, TL_NORMAL_X, at),
+               .albedo = three_at(j, TL_ALBEDO_R, at),
+               .specular = three_at(j, TL_SPECULAR_R, at),
+               .emissive = three_at(j, TL_EMISSIVE_R, at),
+               .shininess = value_at(j, TL_SHININESS, at, 0.0),
+               .metallic = value_at(j, TL_METALLIC, at, 0.0),
+               .roughness = value_at(j, TL_ROUGHNESS, at, 0.0),
+               .occlusion = value_at(j, TL_OCCLUSION, at, 1.0)};
+    if (j->to_phong) {
+        const phong_material m = phong_of_metal_rough(p.albedo, p.metallic, p.roughness);
+        p.albedo = m.diffuse;
+        p.specular = m.specular;
+        p.shininess = m.shininess;
+    }
+    return p;
+}
+
+static void pack_rows(void *context, size_t begin, size_t end)
+{
+    job *j = context;
+    unsigned long long cut[TL_PLANE_COUNT] = {0};
+    for (size_t row = begin; row < end; row++)
+        for (size_t column = 0; column < j->to->camera.width; column++) {
+            const size_t at = row * j->to->pitch + column;
+            tl_packing packing = j->packing;
+            pack_pixel(&packing, pixel_at(j, at), (real)column, (real)row);
+            tl_words_put(&j->words, at, packing.words);
+            for (int p = 0; p < TL_PLANE_COUNT; p++)
+                cut[p] += packing.cut >> p & 1u;
+        }
+    for (int p = 0; p < TL_PLANE_COUNT; p++)
+        atomic_fetch_add(&j->cut[p], cut[p]);
+}
+
+static const uint32_t materials = TL_GROUP_PHONG | TL_GROUP_METAL_ROUGH;
+
+tl_status tl_gbuffer_pack(const tl_gbuffer *from,
+                          enum tl_layout_name layout,
+                          tl_gbuffer **out,
+                          tl_packing_report *report,
+                          tl_error *err)
+{
+    const uint32_t can_hold = tl_layout_planes(layout);
+    const bool to_phong =
+        (from->present & TL_GROUP_METAL_ROUGH) && !(can_hold & TL_GROUP_METAL_ROUGH);
+    const uint32_t offered =
+        to_phong ? (from->present & ~materials) | TL_GROUP_PHONG : from->present;
+    tl_status status = TL_OK;
+    tl_gbuffer *made = NULL;
+    tl_frame frame = {.tile_size = 0};
+    job j = {.from = from, .to_phong = to_phong};
+
+    if ((from->present & TL_GROUP_PHONG) && !(can_hold & TL_GROUP_PHONG) &&
+        (can_hold & TL_GROUP_METAL_ROUGH))
+        TRY(tl_fail(err, TL_ERR_UNSUPPORTED,
+                    "layout %s holds metallic and roughness, this G-buffer has specular and "
+                    "shininess, which they cannot say",
+                    tl_layout_word(layout)));
+    TRY(tl_gbuffer_create_packed(&from->camera, layout, offered & can_hold, &made, err));
+    for (int p = 0; p < TL_PLANE_COUNT; p++)
+        j.planes[p] = tl_gbuffer_plane(from, (enum tl_plane)p);
+    j.to = made;
+    j.words = tl_word_planes_of(made);
+    j.packing = packing_of(&made->camera, layout, made->present, &frame);
+    for (int p = 0; p < TL_PLANE_COUNT; p++)
+        atomic_init(&j.cut[p], 0);
+    tl_parallel(made->camera.height, 4, pack_rows, &j);
+    if (report) {
+        report->dropped = offered & ~can_hold;
+        for (int p = 0; p < TL_PLANE_COUNT; p++)
+            report->cut[p] = atomic_load(&j.cut[p]);
+    }
+    *out = made;
+    made = NULL;
+done:
+    tl_gbuffer_destroy(made);
+    return status;
+}

@@ -1,0 +1,82 @@
+/* How a number stands in the bits of a packed pixel: one row a format, each with its error.
+ *
+ *   float     IEEE 754 binary32. Exact.
+ *   half      IEEE 754 binary16, rounded to nearest: 2^-11 of the value, 2^-25 below 2^-14. Values are
+ *             cut at 65504; what is not finite reads as 65536 or more.
+ *   float24   binary32 without sign and the last 7 bits: 2^-17 of the value. Infinity stays.
+ *   unorm     a whole number over 2^bits - 1: half a step.
+ *   snorm     a signed whole number over 2^(bits - 1) - 1: half a step. The least number, which no value
+ *             needs, means "none" (OpenGL 4.6, 2.3.5.1, reads it as -1).
+ *   bytes24   unorm of 24 bits, its highest byte first in memory, as red of RGB.
+ *
+ * Reading a unorm or snorm multiplies by the rounded step: 1.5u more, u = 2^-24; 0 and, up to 16 bits,
+ * both ends are exact. Writing is the host's, in double; OpenGL's targets round by themselves. */
+#ifndef TL_NUMBER_H
+#define TL_NUMBER_H
+
+#include "dialect.h"
+
+enum tl_number {
+    TL_NUMBER_FLOAT,
+    TL_NUMBER_HALF,
+    TL_NUMBER_FLOAT24,
+    TL_NUMBER_UNORM,
+    TL_NUMBER_SNORM,
+    TL_NUMBER_BYTES24,
+    TL_NUMBER_COUNT
+};
+
+#define TL_MOST_HALF R(65504.0)
+
+/* `bits` bits from `shift` on, as a whole number. */
+TL_INLINE word32 field_of(word32 w, tl_u32 shift, tl_u32 bits)
+{
+    return bits == 32u ? w : (w >> shift) & ((1u << bits) - 1u);
+}
+
+/* The largest number of a field, as it counts: 2^bits - 1. */
+TL_INLINE scalar unorm_step(tl_u32 bits)
+{
+    return R(1.0) / (scalar)((1u << bits) - 1u);
+}
+
+TL_INLINE scalar snorm_step(tl_u32 bits)
+{
+    return R(1.0) / (scalar)((1u << (bits - 1u)) - 1u);
+}
+
+/* The exponent's bias is 127 in one and 15 in the other; multiplying moves denormals as well. */
+TL_INLINE real value_of_half(word32 h)
+{
+    return WORD_AS_REAL((h & 0x8000u) << 16 | (h & 0x7fffu) << 13) * R(0x1p112);
+}
+
+TL_INLINE word32 swapped_bytes24(word32 field)
+{
+    return (field & 0xffu) << 16 | (field & 0xff00u) | field >> 16;
+}
+
+TL_INLINE real signed_value(word32 w, tl_u32 shift, tl_u32 bits)
+{
+    return TO_REAL(WORD_AS_INT(w << (32u - shift - bits)) >> (int)(32u - bits)) *
+           snorm_step(bits);
+}
+
+/* The value of a field. `number` and `bits` are constants wherever speed matters. */
+TL_INLINE real number_value(tl_u32 number, word32 w, tl_u32 shift, tl_u32 bits)
+{
+    if (number == TL_NUMBER_SNORM)
+        return signed_value(w, shift, bits);
+    const word32 field = field_of(w, shift, bits);
+    if (number == TL_NUMBER_FLOAT)
+        return WORD_AS_REAL(field);
+    if (number == TL_NUMBER_HALF)
+        return value_of_half(field);
+    if (number == TL_NUMBER_FLOAT24)
+        return WORD_AS_REAL(field << 7);
+    if (number == TL_NUMBER_BYTES24)
+        return WORD_TO_REAL(swapped_bytes24(field)) * unorm_step(24u);
+    return WORD_TO_REAL(field) * unorm_step(bits);
+}
+
+#endif

@@ -1,0 +1,278 @@
+/* From what a pixel shows to its words: unpack.h the other way. For the host, in double, so that what is
+ * lost is what the layout loses; the geometry pass packs by itself (raster/shaders). */
+#ifndef TL_PACK_H
+#define TL_PACK_H
+
+#include "unpack.h"
+
+#if !TL_REAL_DOUBLE
+#    error "packing is done in double"
+#endif
+
+/* A pixel, and where it is. */
+typedef struct tl_packing {
+    const tl_layout *layout;
+    const tl_frame *frame; /* rays, view_from_world */
+    tl_needs needs;        /* present: what is stored */
+    double near, far;      /* m, of the camera */
+    tl_words words;        /* what has been packed */
+    tl_u32 cut; /* planes whose value was beyond what can be stored, bits 1 << plane */
+} tl_packing;
+
+/* Cut to [low, high]; says so where it was beyond, by more than rounding. */
+TL_INLINE real cut_to(tl_packing *p, tl_u32 planes, real low, real high, real value)
+{
+    const real slack = R(1e-6) * (high - low);
+    if (value < low - slack || value > high + slack)
+        p->cut |= planes;
+    return value < low ? low : value > high ? high : value;
+}
+
+/* To nearest, ties to even, by what is added below the last bit that stays. */
+TL_INLINE word32 rounded_bits(float value, tl_u32 dropped)
+{
+    word32 bits;
+    memcpy(&bits, &value, sizeof bits);
+    return (bits + (1u << (dropped - 1u)) - 1u + (bits >> dropped & 1u)) >> dropped;
+}
+
+/* value: cut to the range already; infinity is what is not finite in halves. */
+TL_INLINE word32 half_of(real value)
+{
+    const real magnitude = value < R(0.0) ? -value : value;
+    const word32 sign = value < R(0.0) ? 0x8000u : 0u;
+    return sign | (magnitude > TL_MOST_HALF ? 0x7c00u
+                                            : rounded_bits((float)(magnitude * 0x1p-112), 13u));
+}
+
+TL_INLINE word32 whole_of(real value)
+{
+    return (word32)(int32_t)floor(value + R(0.5));
+}
+
+TL_INLINE word32 number_of(tl_packing *p, tl_channel c, tl_u32 planes, real value)
+{
+    const float rounded = (float)value;
+    word32 bits;
+    if (c.number == TL_NUMBER_FLOAT) {
+        memcpy(&bits, &rounded, sizeof bits);
+        return bits;
+    }
+    if (c.number == TL_NUMBER_HALF)
+        return half_of(isinf(value) ? value
+                                    : cut_to(p, planes, -TL_MOST_HALF, TL_MOST_HALF, value));
+    if (c.number == TL_NUMBER_FLOAT24) {
+        p->cut |= value < R(0.0) ? planes : 0u;
+        return value < R(0.0) ? 0u : rounded_bits(rounded, 7u);
+    }
+    if (c.number == TL_NUMBER_SNORM) {
+        const real most = (real)((1u << (c.bits - 1u)) - 1u);
+        return whole_of(cut_to(p, planes, R(-1.0), R(1.0), value) * most) &
+               ((1u << c.bits) - 1u);
+    }
+    const real most = (real)((1u << c.bits) - 1u);
+    bits = whole_of(cut_to(p, planes, R(0.0), R(1.0), value) * most);
+    return c.number == TL_NUMBER_BYTES24 ? swapped_bytes24(bits) : bits;
+}
+
+TL_INLINE void put_bits(tl_packing *p, tl_channel c, word32 bits)
+{
+    p->words.of[c.word] |= bits << c.shift;
+}
+
+TL_INLINE void put(tl_packing *p, tl_channel c, tl_u32 planes, real value)
+{
+    put_bits(p, c, number_of(p, c, planes, value));
+}
+
+TL_INLINE void put_three(tl_packing *p, const tl_attribute *a, tl_u32 planes, vec3 v)
+{
+    put(p, a->channels[0], planes, v.x);
+    put(p, a->channels[1], planes, v.y);
+    put(p, a->channels[2], planes, v.z);
+}
+
+/* --- normals ----------------------------------------------------------------------------------- */
+
+TL_INLINE word32 none_of(tl_channel c)
+{
+    return 1u << (c.bits - 1u);
+}
+
+/* Of the four points of the grid around e the one that is nearest to v. */
+TL_INLINE void put_octahedron(tl_packing *p, vec3 v)
+{
+    const tl_channel first = p->layout->normal.channels[0];
+    const tl_channel second = p->layout->normal.channels[1];
+    const real most = (real)((1u << (first.bits - 1u)) - 1u);
+    const vec2 e = octahedron_of(v);
+    real best = R(-2.0);
+    vec2 nearest = e;
+    for (int corner = 0; corner < 4; corner++) {
+        const real x = floor(e.x * most) + (real)(corner & 1),
+                   y = floor(e.y * most) + (real)(corner >> 1);
+        if (x > most || y > most)
+            continue;
+        const vec2 at = {x / most, y / most};
+        const real cosine = dot3(v, unit3(direction_of_octahedron(at)));
+        if (cosine > best) {
+            best = cosine;
+            nearest = at;
+        }
+    }
+    put(p, first, 0u, nearest.x);
+    put(p, second, 0u, nearest.y);
+}
+
+/* v: unit, or 0: no normal; in the layout's space. */
+TL_INLINE void put_normal(tl_packing *p, vec3 v)
+{
+    const tl_attribute *a = &p->layout->normal;
+    const int is_none = v.x == R(0.0) && v.y == R(0.0) && v.z == R(0.0);
+    if (a->code == TL_NORMAL_XYZ && a->channels[0].number == TL_NUMBER_UNORM) {
+        const vec3 raised = {FMA(v.x, R(0.5), R(0.5)), FMA(v.y, R(0.5), R(0.5)),
+                             FMA(v.z, R(0.5), R(0.5))};
+        put_three(p, a, 0u, raised);
+    } else if (a->code == TL_NORMAL_XYZ) {
+        put_three(p, a, 0u, v);
+    } else if (a->code == TL_NORMAL_SPHEREMAP) {
+        const vec2 e = spheremap_of(v);
+        put(p, a->channels[0], 0u, is_none ? R(0.0) : e.x);
+        put(p, a->channels[1], 0u, is_none ? R(0.0) : e.y);
+    } else if (is_none) {
+        put_bits(p, a->channels[0], none_of(a->channels[0]));
+    } else {
+        put_octahedron(p, v);
+    }
+}
+
+/* --- depth and position ------------------------------------------------------------------------ */
+
+/* Of a surface, which is never written as sky: the last number before it is the far plane's. */
+TL_INLINE real stored_nearness(tl_packing *p, real depth)
+{
+    const tl_channel c = p->layout->depth.channels[0];
+    const real q = p->needs.orthographic ? (p->far - depth) / (p->far - p->near)
+                                         : (R(1.0) / depth - R(1.0) / p->far) /
+                                               (R(1.0) / p->near - R(1.0) / p->far);
+    const real step = c.number == TL_NUMBER_FLOAT ? R(0x1p-24) : unorm_step(24u);
+    const real inside = cut_to(p, TL_HAS(TL_DEPTH), R(0.0), R(1.0), q);
+    if (p->layout->depth.code == TL_DEPTH_REVERSED)
+        return inside > R(0x1p-126) ? inside : R(0x1p-126);
+    const real forward = R(1.0) - inside < R(1.0) - step ? R(1.0) - inside : R(1.0) - step;
+    if (p->layout->depth.code == TL_DEPTH_FORWARD)
+        return forward;
+    const real ndc = R(1.0) - R(2.0) * inside;
+    return ndc < R(1.0) - step ? ndc : R(1.0) - step;
+}
+
+TL_INLINE vec3 world_point(const tl_frame *frame, vec3 view)
+{
+    real from[3], to[3];
+    from[0] = view.x - (real)frame->view_from_world[0][3];
+    from[1] = view.y - (real)frame->view_from_world[1][3];
+    from[2] = view.z - (real)frame->view_from_world[2][3];
+    for (int i = 0; i < 3; i++)
+        to[i] = (real)frame->view_from_world[0][i] * from[0] +
+                (real)frame->view_from_world[1][i] * from[1] +
+                (real)frame->view_from_world[2][i] * from[2];
+    const vec3 world = {to[0], to[1], to[2]};
+    return world;
+}
+
+TL_INLINE void put_depth(tl_packing *p, real depth, real column, real row)
+{
+    const tl_attribute *a = &p->layout->depth;
+    const int is_sky = isinf(depth);
+    if (TL_IS_POSITION(a->code)) {
+        const vec3 sky = {(real)INFINITY, R(0.0), R(0.0)};
+        const vec3 view = view_position(p->frame->rays, p->needs, column, row, depth);
+        put_three(p, a, TL_HAS(TL_DEPTH),
+                  is_sky                              ? sky
+                  : a->code == TL_DEPTH_VIEW_POSITION ? view
+                                                      : world_point(p->frame, view));
+    } else if (TL_IS_NEARNESS(a->code)) {
+        const real sky = a->code == TL_DEPTH_REVERSED ? R(0.0) : R(1.0);
+        put(p, a->channels[0], TL_HAS(TL_DEPTH), is_sky ? sky : stored_nearness(p, depth));
+    } else if (a->code == TL_DEPTH_FRACTION) {
+        put(p, a->channels[0], TL_HAS(TL_DEPTH), (depth - p->near) / (p->far - p->near));
+    } else {
+        put(p, a->channels[0], TL_HAS(TL_DEPTH), depth);
+    }
+}
+
+/* --- colours and exponents ---------------------------------------------------------------------- */
+
+TL_INLINE void put_shared(tl_packing *p, tl_u32 planes, tl_channel c, vec3 color)
+{
+    const real most = R(65408.0); /* 511/512 2^16 */
+    const real r = cut_to(p, planes, R(0.0), most, color.x);
+    const real g = cut_to(p, planes, R(0.0), most, color.y);
+    const real b = cut_to(p, planes, R(0.0), most, color.z);
+    const real largest = r > g ? (r > b ? r : b) : (g > b ? g : b);
+    int exponent = 0; /* largest = [1/2, 1) 2^exponent; the mantissa is 9 bits below it */
+    frexp(largest, &exponent);
+    exponent = exponent < -15 || largest == R(0.0) ? -15 : exponent;
+    if (floor(ldexp(largest, 9 - exponent) + R(0.5)) > R(511.0))
+        exponent++;
+    const real scale = ldexp(R(1.0), 9 - exponent);
+    put_bits(p, c,
+             whole_of(r * scale) | whole_of(g * scale) << 9 | whole_of(b * scale) << 18 |
+                 (word32)(exponent + 15) << 27);
+}
+
+TL_INLINE void put_color(tl_packing *p, const tl_attribute *a, tl_u32 planes, vec3 c)
+{
+    const vec3 roots = {SQRT(c.x), SQRT(c.y), SQRT(c.z)};
+    const real least = c.x < c.y ? (c.x < c.z ? c.x : c.z) : (c.y < c.z ? c.y : c.z);
+    const real greatest = c.x > c.y ? (c.x > c.z ? c.x : c.z) : (c.y > c.z ? c.y : c.z);
+    if (a->code == TL_COLOR_SHARED)
+        put_shared(p, planes, a->channels[0], c);
+    else if (a->code == TL_COLOR_GRAY)
+        put(p, a->channels[0], planes, R(0.5) * (least + greatest));
+    else if (a->code == TL_COLOR_RGB)
+        put_three(p, a, planes, c);
+    else
+        put_three(p, a, planes, roots);
+}
+
+TL_INLINE void put_shininess(tl_packing *p, real exponent)
+{
+    const tl_attribute *a = &p->layout->shininess;
+    put(p, a->channels[0], TL_HAS(TL_SHININESS),
+        a->code == TL_VALUE_LOGARITHM ? log2(R(1.0) + exponent) / TL_LOG2_MOST_LOBE : exponent);
+}
+
+/* --- pixels ------------------------------------------------------------------------------------- */
+
+/* As the layout has it; floats keep its length. */
+TL_INLINE vec3 normal_to_store(const tl_packing *p, vec3 world)
+{
+    if (p->layout->normal_space == TL_NORMALS_IN_VIEW)
+        return view_normal(p->frame, world);
+    return p->layout->normal.channels[0].number == TL_NUMBER_FLOAT ? world : unit3(world);
+}
+
+/* The words of a pixel at (column, row): p->words and p->cut start as 0. of.normal is in world space, of
+ * any length; of planes that p->needs.present lacks nothing is read. */
+TL_INLINE void pack_pixel(tl_packing *p, pixel of, real column, real row)
+{
+    const tl_layout *layout = p->layout;
+    put_depth(p, of.depth, column, row);
+    put_normal(p, normal_to_store(p, of.normal));
+    put_color(p, &layout->albedo, TL_THREE(TL_ALBEDO_R), of.albedo);
+    if (p->needs.present & TL_GROUP_PHONG) {
+        put_color(p, &layout->specular, TL_THREE(TL_SPECULAR_R), of.specular);
+        put_shininess(p, of.shininess);
+    }
+    if (p->needs.present & TL_GROUP_METAL_ROUGH) {
+        put(p, layout->metallic.channels[0], TL_HAS(TL_METALLIC), of.metallic);
+        put(p, layout->roughness.channels[0], TL_HAS(TL_ROUGHNESS), of.roughness);
+    }
+    if (p->needs.present & TL_GROUP_OCCLUSION)
+        put(p, layout->occlusion.channels[0], TL_HAS(TL_OCCLUSION), of.occlusion);
+    if (p->needs.present & TL_GROUP_EMISSIVE)
+        put_color(p, &layout->emissive, TL_GROUP_EMISSIVE, of.emissive);
+}
+
+#endif
