@@ -30,8 +30,9 @@ TL_INLINE tl_words load_words(const tl_layout *layout,
 {
     tl_words words;
     size_t before = 0;
+#pragma unroll
     for (uint i = 0; i < TL_MAX_WORDS; i++) {
-        const uint bytes = i < layout->word_count ? word_bytes(layout, TL_PRESENT, i) : 0;
+        const uint bytes = word_bytes(layout, TL_PRESENT, i);
         words.of[i] = 0;
         if (bytes != 0)
             words.of[i] = load_word(planes + before * plane_size + at * bytes, bytes, pitch);

@@ -31,7 +31,8 @@ TL_INLINE void ask_for_next(const tl_layout *layout,
     for (uint row = 0; row < BLOCK_ROWS; row++) {
         const size_t next = first + row * frame->pitch + frame->tile_size;
         size_t before = 0;
-        for (uint i = 0; i < layout->word_count; i++) {
+#pragma unroll
+        for (uint i = 0; i < TL_MAX_WORDS; i++) {
             const uint bytes = word_bytes(layout, TL_PRESENT, i);
             for (uint offset = 0; offset < frame->tile_size * bytes; offset += BYTES_PER_LINE)
                 PREFETCH(planes + before * plane_size + next * bytes + offset, 0);
