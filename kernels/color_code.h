@@ -4,8 +4,8 @@
  *   squared  their square roots, so that steps are fine where colours are dark: half a step h of the root
  *            is h (2 sqrt(c) + h) of the colour
  *   gray     one value, half of what the least and the greatest of the three add up to
- *   shared   RGB9E5: mantissas of 9 bits and one exponent of 5 (OpenGL 4.6, 8.5.2): 2^-10 of the largest,
- *            up to 65408
+ *   shared   RGB9E5: mantissas of 9 bits and one exponent of 5 (OpenGL 4.6, 8.5.2): 1/511.5 of the
+ *            largest, 2^-25 below 2^-15, up to 65408
  *
  * Exponents of highlights: `plain`, or `logarithm`, log2(1 + e) over that of the largest, 10000, so
  * that a step is one share of any lobe's width. */
@@ -33,6 +33,7 @@ enum tl_value_code {
 };
 
 #define TL_MOST_SHININESS R(10000.0)
+#define TL_MOST_SHARED R(65408.0)               /* 511/512 2^16 */
 #define TL_LOG2_MOST_LOBE R(13.287856641840545) /* log2(10001) */
 
 TL_INLINE real shininess_of_logarithm(real stored)

@@ -205,10 +205,9 @@ TL_INLINE void put_depth(tl_packing *p, real depth, real column, real row)
 
 TL_INLINE void put_shared(tl_packing *p, tl_u32 planes, tl_channel c, vec3 color)
 {
-    const real most = R(65408.0); /* 511/512 2^16 */
-    const real r = cut_to(p, planes, R(0.0), most, color.x);
-    const real g = cut_to(p, planes, R(0.0), most, color.y);
-    const real b = cut_to(p, planes, R(0.0), most, color.z);
+    const real r = cut_to(p, planes, R(0.0), TL_MOST_SHARED, color.x);
+    const real g = cut_to(p, planes, R(0.0), TL_MOST_SHARED, color.y);
+    const real b = cut_to(p, planes, R(0.0), TL_MOST_SHARED, color.z);
     const real largest = r > g ? (r > b ? r : b) : (g > b ? g : b);
     int exponent = 0; /* largest = [1/2, 1) 2^exponent; the mantissa is 9 bits below it */
     frexp(largest, &exponent);
