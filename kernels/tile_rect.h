@@ -7,8 +7,12 @@
  *      roundings in d2. Below 1e-20 m squares vanish, so as much is added.
  *   2. ray. A computed position has x/depth off its pixel's ray by at most 8u (|left| + |right|):
  *      2u|ray| in view_position, 2u (|x0| + |dx| width) in rounding x0 and dx. A stored one by what
- *      the frame says (tl_frame.slack_x, slack_y).
- *   3. depth. near and far are bounds of the computed depths, not the camera's planes. */
+ *      the frame says (tl_frame.slack_x, slack_y), in m under parallel rays. Left and right are those
+ *      of the whole picture's rows, top and bottom of row 0 and of the band's last: rays between them
+ *      are no longer than the longer of the two.
+ *   3. depth. near and far are bounds of the computed depths, not the camera's planes.
+ * A slack of many screens makes rectangles of the whole picture; an infinite one says that nothing is
+ * known of the positions, not even that they are before the eye, and no light is left out. */
 #ifndef TL_TILE_RECT_H
 #define TL_TILE_RECT_H
 
@@ -69,11 +73,18 @@ TL_INLINE tl_view_window view_window(const tl_frame *frame,
     return w;
 }
 
-/* Tiles from the one that holds `low` to the one that holds `high`, cut to [0, count). */
-TL_INLINE int tile_at(double px, double tile_size, int count)
+/* Tiles from the one that holds `low` to the one that holds `high` >= 0, in px, cut to [0, count). What
+ * is no number (the step of rays may vanish) leaves none out. */
+TL_INLINE int first_tile(double low, double tile_size, int count)
 {
-    const double tile = floor(px / tile_size);
-    return tile < 0.0 ? 0 : tile > (double)count ? count : (int)tile;
+    const double tile = floor(low / tile_size);
+    return !(tile > 0.0) ? 0 : tile < (double)count ? (int)tile : count;
+}
+
+TL_INLINE int tile_after(double high, double tile_size, int count)
+{
+    const double tile = floor(high / tile_size);
+    return tile < (double)(count - 1) ? (int)tile + 1 : count;
 }
 
 TL_INLINE tl_tile_rect tile_rect_of(tl_view_window w,
@@ -84,6 +95,9 @@ TL_INLINE tl_tile_rect tile_rect_of(tl_view_window w,
     const double depth = -(double)light.position[2];
     const double size = (double)frame->tile_size;
     const int tiles_x = (int)frame->tiles_x, tiles_y = (int)frame->tiles_y;
+    const tl_tile_rect whole = {0, tiles_x, 0, tiles_y};
+    if (isinf(w.margin_x) || isinf(w.margin_y))
+        return whole;
     const tl_interval x =
         sphere_interval((double)light.position[0], depth, r, w.near, w.far, w.orthographic);
     const tl_interval y =
@@ -99,10 +113,10 @@ TL_INLINE tl_tile_rect tile_rect_of(tl_view_window w,
     const double y1 = (y.low - w.margin_y - w.top) / w.height - first;
     if (x1 < 0.0 || y1 < 0.0)
         return rect;
-    rect.x0 = tile_at(x0, size, tiles_x);
-    rect.y0 = tile_at(y0, size, tiles_y);
-    rect.x1 = tile_at(x1, size, tiles_x - 1) + 1;
-    rect.y1 = tile_at(y1, size, tiles_y - 1) + 1;
+    rect.x0 = first_tile(x0, size, tiles_x);
+    rect.y0 = first_tile(y0, size, tiles_y);
+    rect.x1 = tile_after(x1, size, tiles_x);
+    rect.y1 = tile_after(y1, size, tiles_y);
     return rect;
 }
 

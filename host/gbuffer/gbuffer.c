@@ -78,6 +78,8 @@ tl_status tl_gbuffer_create_packed(const tl_camera *camera,
     made->present = present;
     made->pitch = tl_plane_pitch(camera->width);
     made->rows = tl_plane_rows(camera->height);
+    if (TL_IS_POSITION(tl_layouts[layout].depth.code))
+        made->slack_x = made->slack_y = INFINITY;
     TRY(allocate(made, err));
     fill_with_sky(made);
     *out = made;

@@ -1,5 +1,5 @@
 #define TL_REAL_DOUBLE 1
-#include "pack.h"
+#include "packing_setup.h"
 
 #include "packing.h"
 #include "parallel.h"
@@ -17,10 +17,10 @@ typedef struct job {
     atomic_ullong cut[TL_PLANE_COUNT];
 } job;
 
-static tl_packing packing_of(const tl_camera *camera,
-                             enum tl_layout_name layout,
-                             uint32_t present,
-                             tl_frame *frame)
+tl_packing tl_packing_of(const tl_camera *camera,
+                         enum tl_layout_name layout,
+                         uint32_t present,
+                         tl_frame *frame)
 {
     tl_view_set(camera, layout, frame);
     return (tl_packing){.layout = &tl_layouts[layout],
@@ -40,7 +40,7 @@ tl_words tl_sky_words(const tl_camera *camera, enum tl_layout_name layout, uint3
 #undef EMPTY_VALUE
     };
     tl_frame frame = {.tile_size = 0};
-    tl_packing packing = packing_of(camera, layout, present, &frame);
+    tl_packing packing = tl_packing_of(camera, layout, present, &frame);
     const pixel sky = {.depth = (real)empty[TL_DEPTH], .occlusion = (real)empty[TL_OCCLUSION]};
     pack_pixel(&packing, sky, 0.0, 0.0);
     return packing.words;
@@ -110,6 +110,7 @@ tl_status tl_gbuffer_pack(const tl_gbuffer *from,
     tl_status status = TL_OK;
     tl_gbuffer *made = NULL;
     tl_frame frame = {.tile_size = 0};
+    tl_repairs repairs = {0};
     job j = {.from = from, .to_phong = to_phong};
 
     if ((from->present & TL_GROUP_PHONG) && !(can_hold & TL_GROUP_PHONG) &&
@@ -123,12 +124,14 @@ tl_status tl_gbuffer_pack(const tl_gbuffer *from,
         j.planes[p] = tl_gbuffer_plane(from, (enum tl_plane)p);
     j.to = made;
     j.words = tl_word_planes_of(made);
-    j.packing = packing_of(&made->camera, layout, made->present, &frame);
+    j.packing = tl_packing_of(&made->camera, layout, made->present, &frame);
     for (int p = 0; p < TL_PLANE_COUNT; p++)
         atomic_init(&j.cut[p], 0);
     tl_parallel(made->camera.height, 4, pack_rows, &j);
+    TRY(tl_gbuffer_repair(made, tl_layout_word(layout), false, &repairs, err));
     if (report) {
         report->dropped = offered & ~can_hold;
+        report->lost = repairs.depth;
         for (int p = 0; p < TL_PLANE_COUNT; p++)
             report->cut[p] = atomic_load(&j.cut[p]);
     }

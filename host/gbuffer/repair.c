@@ -1,11 +1,9 @@
 /* Pixels that no arithmetic can light are made ones that it can. */
-#include "tilelight/gbuffer.h"
+#include "repair.h"
 
 #include "parallel.h"
 
 #include <math.h>
-#include <stdatomic.h>
-#include <string.h>
 
 static const struct {
     const char *channel;
@@ -16,36 +14,33 @@ static const struct {
 #undef PLANE
 };
 
-/* The largest value a plane may have, where it is not 1. Above it a value becomes it; what is not
- * finite or negative becomes 0. */
-static const float largest[TL_PLANE_COUNT] = {
-    [TL_SHININESS] = 10000.0f,
-    [TL_EMISSIVE_R] = 1e30f,
-    [TL_EMISSIVE_G] = 1e30f,
-    [TL_EMISSIVE_B] = 1e30f,
+/* What a layout packs together goes by one name. */
+static const char *const attributes[TL_PLANE_COUNT] = {
+    [TL_DEPTH] = "depth",         [TL_NORMAL_X] = "normal",     [TL_ALBEDO_R] = "albedo",
+    [TL_SPECULAR_R] = "specular", [TL_SHININESS] = "shininess", [TL_METALLIC] = "metallic",
+    [TL_ROUGHNESS] = "roughness", [TL_OCCLUSION] = "ao",        [TL_EMISSIVE_R] = "emissive",
 };
-
-/* Squares of lengths within this range neither overflow nor vanish in float. */
-static const float shortest_normal = 1e-18f, longest_normal = 1e18f;
-
-/* A depth beyond it would overflow d2; nothing there can be told from the sky. */
-static const float deepest = 1e18f;
 
 typedef struct scan {
     float *planes[TL_PLANE_COUNT];
     const tl_gbuffer *gbuffer;
-    atomic_ullong depth, normal, value;
-    atomic_ullong
-        first; /* (row << 40 | column << 8 | plane) of the first fault, for messages */
+    tl_faults *faults;
 } scan;
 
-static void note(scan *s, uint32_t row, uint32_t column, int plane)
+void tl_faults_note(tl_faults *faults, uint32_t row, uint32_t column, int plane)
 {
     const unsigned long long here =
         (unsigned long long)row << 40 | (unsigned long long)column << 8 | (unsigned)plane;
-    unsigned long long first = atomic_load(&s->first);
-    while (here < first && !atomic_compare_exchange_weak(&s->first, &first, here))
+    unsigned long long first = atomic_load(&faults->first);
+    while (here < first && !atomic_compare_exchange_weak(&faults->first, &first, here))
         ;
+}
+
+void tl_faults_add(tl_faults *faults, tl_fault_counts counts)
+{
+    atomic_fetch_add(&faults->depth, counts.depth);
+    atomic_fetch_add(&faults->normal, counts.normal);
+    atomic_fetch_add(&faults->value, counts.value);
 }
 
 static int is_sky(float depth)
@@ -56,7 +51,7 @@ static int is_sky(float depth)
 /* Orthographic cameras may have surfaces behind the eye point. */
 static int has_no_depth(const tl_gbuffer *gbuffer, float depth)
 {
-    if (isnan(depth) || fabsf(depth) > deepest)
+    if (isnan(depth) || fabsf(depth) > TL_DEEPEST)
         return 1;
     return gbuffer->camera.projection == TL_PERSPECTIVE && !(depth > 0.0f);
 }
@@ -64,8 +59,8 @@ static int has_no_depth(const tl_gbuffer *gbuffer, float depth)
 static int has_no_normal(float nx, float ny, float nz)
 {
     const float most = fmaxf(fabsf(nx), fmaxf(fabsf(ny), fabsf(nz)));
-    return isnan(nx) || isnan(ny) || isnan(nz) || !(most >= shortest_normal) ||
-           !(most <= longest_normal);
+    return isnan(nx) || isnan(ny) || isnan(nz) || !(most >= TL_SHORTEST_NORMAL) ||
+           !(most <= TL_LONGEST_NORMAL);
 }
 
 static void clear_pixel(scan *s, size_t at)
@@ -81,11 +76,11 @@ static unsigned long long repair_values(scan *s, size_t at, uint32_t row, uint32
     for (int p = TL_ALBEDO_R; p < TL_PLANE_COUNT; p++) {
         if (!s->planes[p])
             continue;
-        const float v = s->planes[p][at], most = largest[p] > 0.0f ? largest[p] : 1.0f;
+        const float v = s->planes[p][at], most = tl_largest_value(p);
         if (v >= 0.0f && v <= most)
             continue;
         s->planes[p][at] = v > most && isfinite(v) ? most : 0.0f;
-        note(s, row, column, p);
+        tl_faults_note(s->faults, row, column, p);
         repaired = 1;
     }
     return repaired;
@@ -94,7 +89,7 @@ static unsigned long long repair_values(scan *s, size_t at, uint32_t row, uint32
 static void repair_rows(void *context, size_t begin, size_t end)
 {
     scan *const s = context;
-    unsigned long long depths = 0, normals = 0, values = 0;
+    tl_fault_counts counts = {0, 0, 0};
     float *nx = s->planes[TL_NORMAL_X], *ny = s->planes[TL_NORMAL_Y],
           *nz = s->planes[TL_NORMAL_Z];
 
@@ -107,46 +102,61 @@ static void repair_rows(void *context, size_t begin, size_t end)
                 continue;
             }
             if (has_no_depth(s->gbuffer, depth)) {
-                note(s, row, column, TL_DEPTH);
-                depths++;
+                tl_faults_note(s->faults, row, column, TL_DEPTH);
+                counts.depth++;
                 clear_pixel(s, at);
                 continue;
             }
             if (has_no_normal(nx[at], ny[at], nz[at])) {
-                note(s, row, column, TL_NORMAL_X);
-                normals++;
+                tl_faults_note(s->faults, row, column, TL_NORMAL_X);
+                counts.normal++;
                 nx[at] = ny[at] = nz[at] = 0.0f;
             }
-            values += repair_values(s, at, row, column);
+            counts.value += repair_values(s, at, row, column);
         }
     }
-    atomic_fetch_add(&s->depth, depths);
-    atomic_fetch_add(&s->normal, normals);
-    atomic_fetch_add(&s->value, values);
+    tl_faults_add(s->faults, counts);
+}
+
+static void repair_float(tl_gbuffer *gbuffer, tl_faults *faults)
+{
+    scan s = {.gbuffer = gbuffer, .faults = faults};
+    for (enum tl_plane p = 0; p < TL_PLANE_COUNT; p++)
+        s.planes[p] = tl_gbuffer_plane(gbuffer, p);
+    tl_parallel(gbuffer->camera.height, 16, repair_rows, &s);
+}
+
+static tl_status refuse(const tl_gbuffer *gbuffer,
+                        const char *name,
+                        unsigned long long first,
+                        tl_error *err)
+{
+    const int plane = first & 0xff, is_packed = gbuffer->layout != TL_LAYOUT_FLOAT;
+    return tl_fail(
+        err, TL_ERR_FORMAT,
+        "%s: pixel (%llu, %llu), %s %s cannot be lit as it is; without --strict it is "
+        "repaired",
+        name, first >> 8 & 0xffffffff, first >> 40, is_packed ? "packed" : "channel",
+        is_packed ? attributes[plane] : planes[plane].channel);
 }
 
 tl_status tl_gbuffer_repair(
     tl_gbuffer *gbuffer, const char *name, bool strict, tl_repairs *out, tl_error *err)
 {
-    scan s = {.gbuffer = gbuffer};
-    for (enum tl_plane p = 0; p < TL_PLANE_COUNT; p++)
-        s.planes[p] = tl_gbuffer_plane(gbuffer, p);
-    atomic_init(&s.depth, 0);
-    atomic_init(&s.normal, 0);
-    atomic_init(&s.value, 0);
-    atomic_init(&s.first, ~0ull);
-    tl_parallel(gbuffer->camera.height, 16, repair_rows, &s);
-
-    const tl_repairs repairs = {atomic_load(&s.depth), atomic_load(&s.normal),
-                                atomic_load(&s.value)};
-    const unsigned long long first = atomic_load(&s.first);
+    tl_faults faults;
+    atomic_init(&faults.depth, 0);
+    atomic_init(&faults.normal, 0);
+    atomic_init(&faults.value, 0);
+    atomic_init(&faults.first, ~0ull);
+    if (gbuffer->layout == TL_LAYOUT_FLOAT)
+        repair_float(gbuffer, &faults);
+    else
+        tl_repair_packed(gbuffer, &faults);
+    const unsigned long long first = atomic_load(&faults.first);
     if (strict && first != ~0ull)
-        return tl_fail(err, TL_ERR_FORMAT,
-                       "%s: pixel (%llu, %llu), channel %s cannot be lit as it is; without "
-                       "--strict it is repaired",
-                       name, first >> 8 & 0xffffffff, first >> 40,
-                       planes[first & 0xff].channel);
+        return refuse(gbuffer, name, first, err);
     if (out)
-        *out = repairs;
+        *out = (tl_repairs){atomic_load(&faults.depth), atomic_load(&faults.normal),
+                            atomic_load(&faults.value)};
     return TL_OK;
 }

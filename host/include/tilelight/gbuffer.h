@@ -30,7 +30,10 @@ typedef struct tl_gbuffer {
         pitch;     /* pixels from row to row: at least camera.width, a multiple of TL_PADDING */
     uint32_t rows; /* camera.height up to a multiple of TL_PADDING */
     /* How far stored positions lie off the rays of their pixels at most: x/depth and y/depth, or m
-     * under an orthographic camera. 0 where the layout stores depth. tl_gbuffer_repair finds it. */
+     * under an orthographic camera. 0 where the layout stores depth. Of positions, infinite until
+     * tl_gbuffer_repair has found it: lighting is right then too, but culls by the boxes of tiles alone,
+     * without rectangles. Whoever writes positions afterwards makes it infinite again, or repairs
+     * anew; a slack that is too small loses lights. */
     float slack_x, slack_y;
     unsigned char
         *planes; /* [tl_gbuffer_pixel_size][rows * pitch] bytes, plane after plane, aligned
@@ -69,14 +72,17 @@ uint32_t tl_gbuffer_pixel_size(const tl_gbuffer *gbuffer);
 
 /* What tl_gbuffer_repair found, in pixels. */
 typedef struct tl_repairs {
-    uint64_t depth;  /* NaN, negative infinity, or <= 0 under a perspective camera: made sky */
+    uint64_t
+        depth; /* NaN, negative infinity, or <= 0 under a perspective camera: made sky. So is
+                        a stored position that is not finite or not before such a camera */
     uint64_t normal; /* not finite, or of no length: made 0, which no light reaches */
     uint64_t value;  /* another plane not finite, negative, or above its range: made 0 or cut */
 } tl_repairs;
 
-/* Makes every pixel safe to light, and sky pixels hold the values of `TL_PLANES` for nothing hit.
- * On all threads. *out may be NULL. With `strict`, fails with TL_ERR_FORMAT at the first pixel
- * that would need it, naming pixel and channel, and `name` (a file) in front. */
+/* Makes every pixel safe to light, and sky pixels hold the values of `TL_PLANES` for nothing hit; of any
+ * layout, by what kernels read in float and in double. Finds the slack of stored positions. On all
+ * threads. *out may be NULL. With `strict`, fails with TL_ERR_FORMAT at the first pixel that would need
+ * it, naming pixel and channel (of a packed one the attribute), and `name` (a file) in front. */
 tl_status tl_gbuffer_repair(
     tl_gbuffer *gbuffer, const char *name, bool strict, tl_repairs *out, tl_error *err);
 

@@ -22,10 +22,12 @@ typedef struct tl_packing_report {
     uint32_t dropped; /* planes that the layout has no place for */
     /* Pixels with a value in this plane beyond what the layout can say: it was cut. */
     uint64_t cut[TL_PLANE_COUNT];
+    uint64_t lost; /* pixels whose position cannot be said, not even nearly: they became sky */
 } tl_packing_report;
 
-/* From full float, through tl_gbuffer_repair, to `layout`; on all threads. A metal-rough G-buffer becomes
- * a Phong one (kernels/material.h) where the layout has no place for metallic and roughness. The caller
+/* From full float, through tl_gbuffer_repair, to `layout`; on all threads. What is made has been through
+ * tl_gbuffer_repair too, and has its slack. A metal-rough G-buffer becomes a Phong one
+ * (kernels/material.h) where the layout has no place for metallic and roughness. The caller
  * releases *out with tl_gbuffer_destroy; report may be NULL. Fails with TL_ERR_UNSUPPORTED (the other way
  * round; a convention of depth that this camera has not) or TL_ERR_MEMORY. */
 tl_status tl_gbuffer_pack(const tl_gbuffer *from,

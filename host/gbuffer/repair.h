@@ -1,0 +1,43 @@
+/* Pixels that cannot be lit, as tl_gbuffer_repair finds them: in full float (repair.c) and as layouts pack
+ * them (repair_packed.c). */
+#ifndef TL_REPAIR_H
+#define TL_REPAIR_H
+
+#include "tilelight/gbuffer.h"
+
+#include <stdatomic.h>
+
+/* A depth or a coordinate beyond it would overflow d2; nothing there can be told from the sky. */
+#define TL_DEEPEST 1e18f
+
+/* Squares of lengths within this range neither overflow nor vanish in float. */
+#define TL_SHORTEST_NORMAL 1e-18f
+#define TL_LONGEST_NORMAL 1e18f
+
+/* The largest value that a plane behind the normal may have. Above it a value becomes it; what is not
+ * finite or negative becomes 0. */
+static inline float tl_largest_value(int plane)
+{
+    return plane == TL_SHININESS ? 10000.0f : plane >= TL_EMISSIVE_R ? 1e30f : 1.0f;
+}
+
+/* What all threads found together. */
+typedef struct tl_faults {
+    atomic_ullong depth, normal, value;
+    atomic_ullong first; /* row << 40 | column << 8 | plane of the first, for messages */
+} tl_faults;
+
+/* What some rows have: added to the others at their end. */
+typedef struct tl_fault_counts {
+    unsigned long long depth, normal, value;
+} tl_fault_counts;
+
+void tl_faults_add(tl_faults *faults, tl_fault_counts counts);
+
+/* plane: the first of the attribute that is at fault. */
+void tl_faults_note(tl_faults *faults, uint32_t row, uint32_t column, int plane);
+
+/* Of a G-buffer that is not in full float; finds its slack. */
+void tl_repair_packed(tl_gbuffer *gbuffer, tl_faults *faults);
+
+#endif

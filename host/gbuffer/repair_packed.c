@@ -1,0 +1,253 @@
+/* Pixels that no arithmetic can light, as layouts pack them.
+ *
+ * What counts is what kernels read, in float and in double: of stored positions the two differ, and
+ * either may be behind the eye, or off its ray, by what the other is not. */
+#define TL_REAL_DOUBLE 1
+#include "packing_setup.h"
+
+#include "float_position.h"
+#include "parallel.h"
+#include "repair.h"
+
+#include <stddef.h>
+
+/* What is checked beyond depth and normal, where a layout stores it in numbers that may be at fault. */
+static const struct {
+    size_t attribute; /* offset in tl_layout */
+    enum tl_plane first;
+} values[] = {
+    {offsetof(tl_layout, albedo), TL_ALBEDO_R},
+    {offsetof(tl_layout, specular), TL_SPECULAR_R},
+    {offsetof(tl_layout, shininess), TL_SHININESS},
+    {offsetof(tl_layout, metallic), TL_METALLIC},
+    {offsetof(tl_layout, roughness), TL_ROUGHNESS},
+    {offsetof(tl_layout, occlusion), TL_OCCLUSION},
+    {offsetof(tl_layout, emissive), TL_EMISSIVE_R},
+};
+enum { MOST_VALUES = 3 * sizeof values / sizeof values[0] };
+
+typedef struct checked_value {
+    tl_channel channel;
+    enum tl_plane plane;
+} checked_value;
+
+typedef struct job {
+    tl_faults *faults;
+    const tl_gbuffer *gbuffer;
+    tl_word_planes planes;
+    tl_words sky;
+    tl_packing packing; /* what is the same for every pixel */
+    checked_value values[MOST_VALUES];
+    int value_count;
+    atomic_ullong slack_x,
+        slack_y; /* the bits of doubles, which are in order for values >= 0 */
+} job;
+
+typedef struct slack {
+    double x, y;
+} slack;
+
+/* Where a pixel is, as both arithmetics read it. */
+typedef struct readings {
+    vec3 of[2];
+} readings;
+
+/* Whole numbers always say something; floats need not. */
+static int is_number(tl_channel c, real value)
+{
+    return c.number == TL_NUMBER_HALF ? fabs(value) <= TL_MOST_HALF : isfinite(value);
+}
+
+static void list_values(job *j)
+{
+    for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
+        const tl_attribute *a =
+            (const void *)((const char *)j->planes.layout + values[i].attribute);
+        for (int k = 0; k < 3 && (j->gbuffer->present & TL_HAS(values[i].first)); k++) {
+            const tl_channel c = a->channels[k];
+            if (a->code && c.bits > 0 && c.number <= TL_NUMBER_FLOAT24)
+                j->values[j->value_count++] = (checked_value){c, values[i].first};
+        }
+    }
+}
+
+static readings read_position(const job *j,
+                              const tl_words *words,
+                              uint32_t column,
+                              uint32_t row)
+{
+    const tl_packing *p = &j->packing;
+    float in_float[3];
+    tl_float_position(p->frame, p->needs, p->layout, words, column, row, in_float);
+    return (readings){{{in_float[0], in_float[1], in_float[2]},
+                       position_of(p->frame, p->needs, p->layout, words, column, row)}};
+}
+
+/* Whether what reads as sky was meant so: what is no number, or behind the far plane, does too. */
+static int is_stored_sky(const tl_layout *layout, const tl_words *words)
+{
+    const tl_channel c = layout->depth.channels[0];
+    const real stored = stored_depth(layout, words);
+    if (TL_IS_NEARNESS(layout->depth.code))
+        return stored == 0.0;
+    return stored == (c.number == TL_NUMBER_HALF ? 0x1p16 : (real)INFINITY);
+}
+
+static int is_within(const tl_packing *p, vec3 at)
+{
+    const int is_position = TL_IS_POSITION(p->layout->depth.code);
+    if (!(fabs(at.z) <= TL_DEEPEST))
+        return 0;
+    if (is_position && !(fabs(at.x) <= TL_DEEPEST && fabs(at.y) <= TL_DEEPEST))
+        return 0;
+    return p->needs.orthographic || -at.z >= 0x1p-149;
+}
+
+static int has_position(const tl_packing *p, const tl_words *words, readings at)
+{
+    const tl_attribute *a = &p->layout->depth;
+    for (int k = 0; k < 3 && TL_IS_POSITION(a->code); k++)
+        if (!is_number(a->channels[k], channel_value(a->channels[k], words)))
+            return 0;
+    return is_within(p, at.of[0]) && is_within(p, at.of[1]);
+}
+
+static int has_normal(const tl_layout *layout, const tl_words *words)
+{
+    const tl_attribute *a = &layout->normal;
+    const vec3 n = stored_normal(layout, words);
+    const real most = fmax(fabs(n.x), fmax(fabs(n.y), fabs(n.z)));
+    for (int k = 0; k < 3 && a->channels[k].bits > 0; k++)
+        if (!is_number(a->channels[k], channel_value(a->channels[k], words)))
+            return 0;
+    return most >= TL_SHORTEST_NORMAL && most <= TL_LONGEST_NORMAL;
+}
+
+static void clear_channel(tl_words *words, tl_channel c)
+{
+    words->of[c.word] &= ~((tl_u32)((1ull << c.bits) - 1u) << c.shift);
+}
+
+static void remove_normal(const job *j, tl_words *words)
+{
+    static const vec3 none = {0.0, 0.0, 0.0};
+    tl_packing p = j->packing;
+    p.words = *words;
+    for (int k = 0; k < 3; k++)
+        clear_channel(&p.words, p.layout->normal.channels[k]);
+    put_normal(&p, none);
+    *words = p.words;
+}
+
+/* Returns whether any was at fault. */
+static int repair_values(const job *j, tl_words *words, uint32_t column, uint32_t row)
+{
+    tl_packing p = j->packing;
+    int repaired = 0;
+    p.words = *words;
+    for (int i = 0; i < j->value_count; i++) {
+        const tl_channel c = j->values[i].channel;
+        const real v = channel_value(c, &p.words), most = tl_largest_value(j->values[i].plane);
+        if (is_number(c, v) && v >= 0.0 && v <= most)
+            continue;
+        clear_channel(&p.words, c);
+        put(&p, c, 0u, is_number(c, v) && v > most ? most : 0.0);
+        tl_faults_note(j->faults, row, column, j->values[i].plane);
+        repaired = 1;
+    }
+    *words = p.words;
+    return repaired;
+}
+
+/* How far the position is off the ray that the rectangles of lights take it to be on
+ * (kernels/tile_rect.h): from the same floats, in double. */
+static void widen(slack *most, const job *j, readings at, uint32_t column, uint32_t row)
+{
+    const tl_rays rays = j->packing.frame->rays;
+    const double ray_x = rays.x0 + column * (double)rays.dx;
+    const double ray_y = rays.y0 + row * (double)rays.dy;
+    for (int i = 0; i < 2; i++) {
+        const double unit = j->packing.needs.orthographic ? 1.0 : -at.of[i].z;
+        most->x = fmax(most->x, fabs(at.of[i].x / unit - ray_x));
+        most->y = fmax(most->y, fabs(at.of[i].y / unit - ray_y));
+    }
+}
+
+static void repair_pixel(const job *j,
+                         tl_words *words,
+                         uint32_t column,
+                         uint32_t row,
+                         tl_fault_counts *counts,
+                         slack *most)
+{
+    const tl_layout *layout = j->planes.layout;
+    const readings at = read_position(j, words, column, row);
+    const int is_sky = isinf(at.of[0].z) && is_stored_sky(layout, words);
+    if (is_sky || !has_position(&j->packing, words, at)) {
+        if (!is_sky)
+            tl_faults_note(j->faults, row, column, TL_DEPTH);
+        counts->depth += !is_sky;
+        *words = j->sky;
+        return;
+    }
+    if (!has_normal(layout, words)) {
+        tl_faults_note(j->faults, row, column, TL_NORMAL_X);
+        counts->normal++;
+        remove_normal(j, words);
+    }
+    counts->value += (unsigned)repair_values(j, words, column, row);
+    if (TL_IS_POSITION(layout->depth.code))
+        widen(most, j, at, column, row);
+}
+
+static void raise_to(atomic_ullong *most, double value)
+{
+    unsigned long long bits, before = atomic_load(most);
+    memcpy(&bits, &value, sizeof bits);
+    while (bits > before && !atomic_compare_exchange_weak(most, &before, bits))
+        ;
+}
+
+static void repair_rows(void *context, size_t begin, size_t end)
+{
+    job *const j = context;
+    tl_fault_counts counts = {0, 0, 0};
+    slack most = {0.0, 0.0};
+    for (uint32_t row = (uint32_t)begin; row < end; row++)
+        for (uint32_t column = 0; column < j->gbuffer->camera.width; column++) {
+            const size_t at = (size_t)row * j->gbuffer->pitch + column;
+            tl_words words = tl_words_at(&j->planes, at);
+            repair_pixel(j, &words, column, row, &counts, &most);
+            tl_words_put(&j->planes, at, words);
+        }
+    tl_faults_add(j->faults, counts);
+    raise_to(&j->slack_x, most.x);
+    raise_to(&j->slack_y, most.y);
+}
+
+/* Up to the next float, and by what the interval of a sphere may be off in double. */
+static float slack_of(atomic_ullong *most)
+{
+    const unsigned long long bits = atomic_load(most);
+    double value;
+    memcpy(&value, &bits, sizeof value);
+    const float most_off = (float)(value * (1.0 + 0x1p-30));
+    return most_off > 0.0f ? nextafterf(most_off, INFINITY) : most_off;
+}
+
+void tl_repair_packed(tl_gbuffer *gbuffer, tl_faults *faults)
+{
+    tl_frame frame = {.tile_size = 0};
+    job j = {.faults = faults,
+             .gbuffer = gbuffer,
+             .planes = tl_word_planes_of(gbuffer),
+             .sky = tl_sky_words(&gbuffer->camera, gbuffer->layout, gbuffer->present),
+             .packing =
+                 tl_packing_of(&gbuffer->camera, gbuffer->layout, gbuffer->present, &frame)};
+    list_values(&j);
+    atomic_init(&j.slack_x, 0);
+    atomic_init(&j.slack_y, 0);
+    tl_parallel(gbuffer->camera.height, 4, repair_rows, &j);
+    gbuffer->slack_x = slack_of(&j.slack_x);
+    gbuffer->slack_y = slack_of(&j.slack_y);
+}
