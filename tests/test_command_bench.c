@@ -97,13 +97,50 @@ static void cases_are_recorded(void **state)
     json_decref(root);
 }
 
+/* compact-16 by turns with full float: its bytes, both times, and an error that is there and small. */
+static void layouts_are_compared(void **state)
+{
+    (void)state;
+    expect_run("$T bench --size 64x64 --lights 8 --layout float,compact-16 --samples 6 "
+               "--seconds 0 --json l.json",
+               0, "of the frame's time in float", "");
+    json_t *root = read_json("l.json");
+    assert_true(json_is_null(at(root, "records.0.against")));
+    assert_true(json_is_null(at(root, "records.0.error")));
+    assert_true(number_at(root, "records.0.frame.pixel_bytes") == 44.0);
+    assert_true(number_at(root, "records.1.frame.pixel_bytes") == 16.0);
+    assert_true(number_at(root, "records.1.against.pixel_bytes") == 44.0);
+    assert_string_equal(json_string_value(at(root, "records.1.against.layout")), "float");
+    assert_summary(root, "records.1.against.frame", 6.0);
+    assert_summary(root, "records.1.against.cull", 6.0);
+    assert_summary(root, "records.1.against.shade", 6.0);
+    assert_summary(root, "records.1.against.frame_ms", 6.0);
+    assert_true(number_at(root, "records.1.error.mean") > 1e-6);
+    assert_true(number_at(root, "records.1.error.rms") < 0.05);
+    assert_int_equal(json_array_size(at(root, "records.1.error.lost")), 0);
+    /* Fewer bytes, and the same share of the pixels' time as the figures have it. */
+    assert_true(number_at(root, "records.0.figures.bytes_moved") >
+                number_at(root, "records.1.figures.bytes_moved") + 64.0 * 64.0 * 27.0);
+    json_decref(root);
+}
+
+static void layouts_without_a_place_are_refused(void **state)
+{
+    (void)state;
+    expect_run("$T bench --layout thick", 2, "", "no layout is called \"thick\"");
+    expect_run("$T bench --size 64x64 --layout dxr", 2, "",
+               "cannot say what --material phong has");
+    expect_run("$T bench --baselines --layout merlin", 2, "",
+               "--layout and --against are for cases");
+}
+
 static void csv_has_a_value_per_name(void **state)
 {
     static char text[65536];
     size_t commas[3] = {0}, line = 0;
     (void)state;
     read_text("a.csv", text, sizeof text);
-    assert_memory_equal(text, "device,scene,size,lights,", 25);
+    assert_memory_equal(text, "device,scene,size,material,", 27);
     for (const char *c = text; *c && line < 3; c++) {
         commas[line] += *c == ',';
         line += *c == '\n';
@@ -189,6 +226,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(cases_are_recorded),
+        cmocka_unit_test(layouts_are_compared),
+        cmocka_unit_test(layouts_without_a_place_are_refused),
         cmocka_unit_test(csv_has_a_value_per_name),
         cmocka_unit_test(slower_cases_are_found),
         cmocka_unit_test(ratios_have_their_keys),

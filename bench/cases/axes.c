@@ -1,5 +1,6 @@
 #include "bench_case.h"
 
+#include "tilelight/layouts.h"
 #include "tilelight/scatter.h"
 #include "words.h"
 
@@ -7,6 +8,8 @@
 
 #define WORD(name, word, meaning) word,
 #define MEANING(name, word, meaning) " " word ": " meaning "."
+#define COMMA_WORD(name, row, word) "," word
+#define ALL_LAYOUTS (&(TL_LAYOUTS(COMMA_WORD))[1])
 
 static tl_status set_scene(tl_bench_case *of, const char *word, tl_error *err)
 {
@@ -25,6 +28,28 @@ static tl_status set_size(tl_bench_case *of, const char *word, tl_error *err)
 {
     return tl_word_size("--size", word, &of->scene_options.width, &of->scene_options.height,
                         err);
+}
+
+static tl_status set_material(tl_bench_case *of, const char *word, tl_error *err)
+{
+    const char *names[16];
+    size_t at = 0;
+    for (int i = 0; i < tl_bench_material_count; i++)
+        names[i] = tl_bench_materials[i].name;
+    const tl_status status =
+        tl_word_among("--material", word, names, (size_t)tl_bench_material_count, &at, err);
+    of->scene_options.material = &tl_bench_materials[at];
+    return status;
+}
+
+static tl_status set_layout(tl_bench_case *of, const char *word, tl_error *err)
+{
+    return tl_layout_find(word, &of->layout, err);
+}
+
+static tl_status set_against(tl_bench_case *of, const char *word, tl_error *err)
+{
+    return tl_layout_find(word, &of->against, err);
 }
 
 static tl_status set_lights(tl_bench_case *of, const char *word, tl_error *err)
@@ -105,27 +130,40 @@ static tl_status set_device(tl_bench_case *of, const char *word, tl_error *err)
 const tl_bench_axis tl_bench_axes[TL_AXIS_COUNT] = {
     [TL_AXIS_DEVICE] = {"device", "NAME,...",
                         "OpenCL devices, by index, part of a name, cpu, gpu, or default",
-                        "default", set_device},
+                        "default", NULL, set_device},
     [TL_AXIS_SCENE] = {"scene", "NAME,...", "Scenes; `tilelight bench --list' describes them",
-                       "spheres", set_scene},
-    [TL_AXIS_SIZE] = {"size", "WxH,...", "Sizes of the picture, px", "1920x1080", set_size},
-    [TL_AXIS_LIGHTS] = {"lights", "N,...", "How many lights, 1 to 1000000", "1024", set_lights},
+                       "spheres", NULL, set_scene},
+    [TL_AXIS_SIZE] = {"size", "WxH,...", "Sizes of the picture, px", "1920x1080", NULL,
+                      set_size},
+    [TL_AXIS_MATERIAL] = {"material", "NAME,...",
+                          "What surfaces are made of; `tilelight bench --list' describes them",
+                          "phong", NULL, set_material},
+    [TL_AXIS_LIGHTS] = {"lights", "N,...", "How many lights, 1 to 1000000", "1024", NULL,
+                        set_lights},
     [TL_AXIS_PER_TILE] =
         {"per-tile", "N,...",
          "Lights that a tile of 16 px lists on average with --cull depth; sets their "
          "range",
-         "27", set_per_tile},
+         "27", NULL, set_per_tile},
     [TL_AXIS_RANGE] = {"range", "METRES,...",
-                       "Range of every light, in place of --per-tile, or auto", "auto",
+                       "Range of every light, in place of --per-tile, or auto", "auto", NULL,
                        set_range},
-    [TL_AXIS_TILE] = {"tile", "PX,...", "Sides of a tile: 8, 16, 32 or 64", "16", set_tile},
+    [TL_AXIS_AGAINST] = {"against", "NAME",
+                         "The layout that each of --layout is lit by turns with", "float", NULL,
+                         set_against},
+    [TL_AXIS_LAYOUT] = {"layout", "NAME,...",
+                        "How pixels are packed, by turns with --against's: `tilelight layouts' "
+                        "describes them. all: those with a place for all of --material",
+                        "float", ALL_LAYOUTS, set_layout},
+    [TL_AXIS_TILE] = {"tile", "PX,...", "Sides of a tile: 8, 16, 32 or 64", "16", NULL,
+                      set_tile},
     [TL_AXIS_CULL] = {"cull", "MODE,...", "Which lights a tile computes." TL_CULLS(MEANING),
-                      "split", set_cull},
+                      "split", NULL, set_cull},
     [TL_AXIS_PRECISION] = {"precision", "NAME,...",
-                           "How it is computed." TL_PRECISIONS(MEANING), "float",
+                           "How it is computed." TL_PRECISIONS(MEANING), "float", NULL,
                            set_precision},
     [TL_AXIS_WIDTH] = {"width", "LANES,...", "Vector lanes of the kernels: 1, 4, 8, 16 or auto",
-                       "auto", set_width},
+                       "auto", NULL, set_width},
     [TL_AXIS_PATH] = {"path", "NAME,...", "How kernels share the work out." TL_PATHS(MEANING),
-                      "auto", set_path},
+                      "auto", NULL, set_path},
 };

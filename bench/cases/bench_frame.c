@@ -2,6 +2,7 @@
 
 #include "ray_cast.h"
 #include "scene_lights.h"
+#include "tilelight/layouts.h"
 #include "try.h"
 
 #include <stdlib.h>
@@ -13,7 +14,8 @@ static tl_status make_gbuffer(tl_bench_frame *frame, const tl_bench_case *of, tl
     if (frame->made_for.scene && tl_bench_case_same_gbuffer(&frame->made_for, of))
         return TL_OK;
     tl_bench_frame_clear(frame);
-    TRY(tl_ray_cast(of->scene, width, height, &frame->gbuffer, err));
+    TRY(tl_ray_cast(of->scene, of->scene_options.material->present, width, height,
+                    &frame->gbuffer, err));
     TRY(tl_gbuffer_repair(frame->gbuffer, of->scene->name, false, NULL, err));
     TRY(tl_image_create(width, height, &frame->image, err));
     frame->rgb = malloc(3 * (size_t)width * height);
@@ -40,11 +42,38 @@ done:
     return status;
 }
 
+tl_status tl_bench_frame_in(tl_bench_frame *frame,
+                            enum tl_layout_name layout,
+                            const tl_gbuffer **out,
+                            tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_gbuffer *made = NULL;
+    if (layout == frame->gbuffer->layout) {
+        *out = frame->gbuffer;
+        return TL_OK;
+    }
+    for (int i = 0; i < 2; i++)
+        if (frame->packed[i] && frame->packed[i]->layout == layout) {
+            frame->next = 1 - i;
+            *out = frame->packed[i];
+            return TL_OK;
+        }
+    TRY(tl_gbuffer_pack(frame->gbuffer, layout, &made, NULL, err));
+    tl_gbuffer_destroy(frame->packed[frame->next]);
+    *out = frame->packed[frame->next] = made;
+    frame->next = 1 - frame->next;
+done:
+    return status;
+}
+
 void tl_bench_frame_clear(tl_bench_frame *frame)
 {
     free(frame->rgb);
     tl_image_destroy(frame->image);
     tl_light_set_clear(&frame->lights);
+    tl_gbuffer_destroy(frame->packed[0]);
+    tl_gbuffer_destroy(frame->packed[1]);
     tl_gbuffer_destroy(frame->gbuffer);
     *frame = (tl_bench_frame){0};
 }

@@ -1,5 +1,6 @@
 #include "bench_case.h"
 
+#include "tilelight/layouts.h"
 #include "try.h"
 
 #include <stdlib.h>
@@ -7,37 +8,69 @@
 
 enum { MOST_CASES = 10000, MOST_LIST = 4096 };
 
+/* Layouts under the usual lights, under some that reach every pixel, and under one that reaches none:
+ * there pixels are read and written, and nothing else is done. */
+#define UNDER(set, described, made_of, other, packed, count, metres) \
+    {                                                                \
+        set, described, 1,                                           \
+        {                                                            \
+            .of = {                                                  \
+                [TL_AXIS_MATERIAL] = made_of,                        \
+                [TL_AXIS_AGAINST] = other,                           \
+                [TL_AXIS_LAYOUT] = packed,                           \
+                [TL_AXIS_LIGHTS] = count,                            \
+                [TL_AXIS_RANGE] = metres                             \
+            }                                                        \
+        }                                                            \
+    }
+#define LAYOUTS(made_of, packed)                                                             \
+    UNDER("layouts", "every layout, many lights", made_of, "float", packed, "1024", "auto"), \
+        UNDER("layouts", "few, which reach all", made_of, "float", packed, "8", "100"),      \
+        UNDER("layouts", "none to speak of", made_of, "float", packed, "1", "0.001")
+#define POSITIONS(packed, other)                                                             \
+    UNDER("positions", "depth in place of positions, many lights", "phong", other, packed,   \
+          "1024", "auto"),                                                                   \
+        UNDER("positions", "few, which reach all", "phong", other, packed, "1,8,32", "100"), \
+        UNDER("positions", "none to speak of", "phong", other, packed, "1", "0.001")
+
 const tl_bench_set tl_bench_sets[] = {
     {"scenes",
      "every scene, 1080p, 1024 lights, 27 per tile",
+     0,
      {.of[TL_AXIS_SCENE] = "spheres,wall,foliage,grazing"}},
-    {"sizes", "more pixels", {.of[TL_AXIS_SIZE] = "640x360,1920x1080,3840x2160"}},
-    {"lights", "more lights, as many per tile", {.of[TL_AXIS_LIGHTS] = "64,1024,16384"}},
-    {"density", "more lights per tile", {.of[TL_AXIS_PER_TILE] = "3,27,100"}},
-    {"tiles", "other tiles", {.of[TL_AXIS_TILE] = "8,16,32,64"}},
-    {"culling", "what culling saves", {.of[TL_AXIS_CULL] = "split,depth,rect"}},
-    {"widths", "one source, narrower vectors", {.of[TL_AXIS_WIDTH] = "1,4,8,auto"}},
-    {"precisions", "what double costs", {.of[TL_AXIS_PRECISION] = "float,double"}},
+    {"sizes", "more pixels", 0, {.of[TL_AXIS_SIZE] = "640x360,1920x1080,3840x2160"}},
+    {"lights", "more lights, as many per tile", 0, {.of[TL_AXIS_LIGHTS] = "64,1024,16384"}},
+    {"density", "more lights per tile", 0, {.of[TL_AXIS_PER_TILE] = "3,27,100"}},
+    {"tiles", "other tiles", 0, {.of[TL_AXIS_TILE] = "8,16,32,64"}},
+    {"culling", "what culling saves", 0, {.of[TL_AXIS_CULL] = "split,depth,rect"}},
+    {"widths", "one source, narrower vectors", 0, {.of[TL_AXIS_WIDTH] = "1,4,8,auto"}},
+    {"precisions", "what double costs", 0, {.of[TL_AXIS_PRECISION] = "float,double"}},
+    {"packing",
+     "fewer bytes per pixel",
+     0,
+     {.of[TL_AXIS_LAYOUT] = "float,compact-16,compact-12"}},
+    LAYOUTS("phong", "all"),
+    LAYOUTS("diffuse", "all"),
+    LAYOUTS("full", "all"),
+    POSITIONS("float,float-forward", "float-position"),
+    POSITIONS("merlin", "merlin-position"),
 };
 const int tl_bench_set_count = sizeof tl_bench_sets / sizeof tl_bench_sets[0];
-
-const tl_bench_set *tl_bench_set_find(const char *name)
-{
-    for (int i = 0; i < tl_bench_set_count; i++)
-        if (strcmp(tl_bench_sets[i].name, name) == 0)
-            return &tl_bench_sets[i];
-    return NULL;
-}
 
 /* The words of one list. */
 typedef struct words {
     char text[MOST_LIST]; /* commas made into ends of words */
     const char *of[MOST_LIST / 2];
     size_t count;
+    int is_all; /* it was the word "all" */
 } words;
 
-static tl_status split(const char *list, const char *axis, words *out, tl_error *err)
+static tl_status split(const char *list, const tl_bench_axis *of, words *out, tl_error *err)
 {
+    const char *axis = of->name;
+    out->is_all = of->all && strcmp(list, "all") == 0;
+    if (out->is_all)
+        list = of->all;
     const size_t length = strlen(list);
     if (length >= MOST_LIST)
         return tl_fail(err, TL_ERR_ARGUMENT, "--%s: the list has more than %d characters", axis,
@@ -104,6 +137,28 @@ done:
     return status;
 }
 
+/* Whether the case's layout keeps all that its scene has. */
+static int has_place(const tl_bench_case *of)
+{
+    return (of->scene_options.material->present & ~tl_layout_planes(of->layout)) == 0;
+}
+
+/* Refuses here what tl_gbuffer_pack would refuse after minutes. */
+static tl_status check_layout(const tl_bench_case *of,
+                              enum tl_layout_name layout,
+                              tl_error *err)
+{
+    const tl_bench_material *material = of->scene_options.material;
+    const uint32_t can_hold = tl_layout_planes(layout);
+    if ((material->present & TL_GROUP_PHONG) && !(can_hold & TL_GROUP_PHONG) &&
+        (can_hold & TL_GROUP_METAL_ROUGH))
+        return tl_fail(err, TL_ERR_ARGUMENT,
+                       "layout %s cannot say what --material %s has: it holds metallic and "
+                       "roughness, as --material metal-rough and full do",
+                       tl_layout_word(layout), material->name);
+    return TL_OK;
+}
+
 tl_status tl_bench_cases_add(tl_bench_cases *cases, const tl_bench_lists *lists, tl_error *err)
 {
     const size_t count_before = cases->count;
@@ -114,7 +169,7 @@ tl_status tl_bench_cases_add(tl_bench_cases *cases, const tl_bench_lists *lists,
         TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for cases"));
     for (int axis = 0; axis < TL_AXIS_COUNT; axis++) {
         const char *list = lists->of[axis] ? lists->of[axis] : tl_bench_axes[axis].usual;
-        TRY(split(list, tl_bench_axes[axis].name, &split_lists[axis], err));
+        TRY(split(list, &tl_bench_axes[axis], &split_lists[axis], err));
         product *= split_lists[axis].count;
         if (product > MOST_CASES)
             TRY(tl_fail(err, TL_ERR_ARGUMENT, "the lists make more than %d cases", MOST_CASES));
@@ -122,6 +177,10 @@ tl_status tl_bench_cases_add(tl_bench_cases *cases, const tl_bench_lists *lists,
     for (size_t number = 0; number < product; number++) {
         tl_bench_case one;
         TRY(make_case(split_lists, number, &one, err));
+        if (split_lists[TL_AXIS_LAYOUT].is_all && !has_place(&one))
+            continue;
+        TRY(check_layout(&one, one.layout, err));
+        TRY(check_layout(&one, one.against, err));
         TRY(append(cases, &one, err));
     }
 done:
@@ -140,7 +199,8 @@ void tl_bench_cases_clear(tl_bench_cases *cases)
 int tl_bench_case_same_gbuffer(const tl_bench_case *a, const tl_bench_case *b)
 {
     return a->scene == b->scene && a->scene_options.width == b->scene_options.width &&
-           a->scene_options.height == b->scene_options.height;
+           a->scene_options.height == b->scene_options.height &&
+           a->scene_options.material == b->scene_options.material;
 }
 
 int tl_bench_case_same_frame(const tl_bench_case *a, const tl_bench_case *b)

@@ -1,12 +1,23 @@
 #include "bench_record.h"
 
+#include "layout.h"
 #include "try.h"
 
 #include <string.h>
 
+/* One G-buffer, lit again and again. */
+typedef struct side {
+    tl_lighting *lighting;
+    const tl_gbuffer *gbuffer;
+    tl_samples frame, cull, shade;
+    double frame_now, cull_now, shade_now; /* ms, of the last frame */
+} side;
+
 /* What every sample adds to. */
 typedef struct measuring {
-    tl_samples frame, cull, shade, post, processors, stages[TL_MAX_STAGES];
+    side ours, theirs; /* theirs: the other layout; no lighting where there is none */
+    tl_samples frame_ratio, cull_ratio, shade_ratio;
+    tl_samples post, processors, stages[TL_MAX_STAGES];
     int stage_count;
     const char *stage_names[TL_MAX_STAGES];
 } measuring;
@@ -26,23 +37,37 @@ static tl_samples *stage_of(measuring *m, const char *name)
     return &m->stages[i];
 }
 
-static tl_status sample(tl_lighting *lighting,
-                        tl_bench_frame *frame,
-                        measuring *m,
-                        tl_lighting_counts *counts,
-                        tl_error *err)
+static tl_status light(side *s,
+                       tl_bench_frame *frame,
+                       tl_timings *timings,
+                       tl_lighting_counts *counts,
+                       tl_error *err)
+{
+    tl_status status = TL_OK;
+    const double start = tl_seconds();
+    TRY(tl_lighting_run(s->lighting, s->gbuffer, &frame->lights, frame->image, timings, NULL,
+                        counts, err));
+    s->frame_now = milliseconds_since(start);
+    s->cull_now = counts->device_cull_ms;
+    s->shade_now = counts->device_shade_ms;
+    TRY(tl_samples_add(&s->frame, s->frame_now, err));
+    TRY(tl_samples_add(&s->cull, s->cull_now, err));
+    TRY(tl_samples_add(&s->shade, s->shade_now, err));
+done:
+    return status;
+}
+
+static tl_status sample_ours(measuring *m,
+                             tl_bench_frame *frame,
+                             tl_lighting_counts *counts,
+                             tl_error *err)
 {
     tl_status status = TL_OK;
     tl_timings timings = {0};
-    double start = tl_seconds();
-    TRY(tl_lighting_run(lighting, frame->gbuffer, &frame->lights, frame->image, &timings, NULL,
-                        counts, err));
-    TRY(tl_samples_add(&m->frame, milliseconds_since(start), err));
-    start = tl_seconds();
+    TRY(light(&m->ours, frame, &timings, counts, err));
+    const double start = tl_seconds();
     tl_image_to_srgb8(frame->image, 0.0f, TL_TONE_ACES, frame->rgb);
     TRY(tl_samples_add(&m->post, milliseconds_since(start), err));
-    TRY(tl_samples_add(&m->cull, counts->device_cull_ms, err));
-    TRY(tl_samples_add(&m->shade, counts->device_shade_ms, err));
     if (counts->shade_wall_ms > 0.0)
         TRY(tl_samples_add(&m->processors, counts->shade_processor_ms / counts->shade_wall_ms,
                            err));
@@ -52,11 +77,35 @@ done:
     return status;
 }
 
+static tl_status sample_theirs(measuring *m, tl_bench_frame *frame, tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_lighting_counts counts;
+    TRY(light(&m->theirs, frame, NULL, &counts, err));
+    TRY(tl_samples_add(&m->frame_ratio, m->ours.frame_now / m->theirs.frame_now, err));
+    if (counts.device_shade_ms > 0.0) {
+        TRY(tl_samples_add(&m->cull_ratio, m->ours.cull_now / m->theirs.cull_now, err));
+        TRY(tl_samples_add(&m->shade_ratio, m->ours.shade_now / m->theirs.shade_now, err));
+    }
+done:
+    return status;
+}
+
+static void clear_side(side *s)
+{
+    tl_lighting_destroy(s->lighting);
+    tl_samples_clear(&s->frame);
+    tl_samples_clear(&s->cull);
+    tl_samples_clear(&s->shade);
+}
+
 static void clear(measuring *m)
 {
-    tl_samples_clear(&m->frame);
-    tl_samples_clear(&m->cull);
-    tl_samples_clear(&m->shade);
+    clear_side(&m->ours);
+    clear_side(&m->theirs);
+    tl_samples_clear(&m->frame_ratio);
+    tl_samples_clear(&m->cull_ratio);
+    tl_samples_clear(&m->shade_ratio);
     tl_samples_clear(&m->post);
     tl_samples_clear(&m->processors);
     for (int i = 0; i < TL_MAX_STAGES; i++)
@@ -64,27 +113,36 @@ static void clear(measuring *m)
 }
 
 /* The first frame is apart: it builds, and makes buffers. */
-static tl_status warm_up(tl_lighting *lighting,
+static tl_status warm_up(measuring *m,
                          tl_bench_frame *frame,
                          tl_bench_record *out,
                          tl_error *err)
 {
     tl_timings timings = {0};
+    tl_status status = TL_OK;
     const double start = tl_seconds();
-    const tl_status status = tl_lighting_run(lighting, frame->gbuffer, &frame->lights,
-                                             frame->image, &timings, NULL, NULL, err);
+    TRY(tl_lighting_run(m->ours.lighting, m->ours.gbuffer, &frame->lights, frame->image,
+                        &timings, NULL, NULL, err));
     out->first_ms = milliseconds_since(start);
     for (int i = 0; i < timings.count; i++)
         if (strcmp(timings.stages[i].name, "compile") == 0)
             out->build_ms = timings.stages[i].ms;
+    if (m->theirs.lighting)
+        TRY(tl_lighting_run(m->theirs.lighting, m->theirs.gbuffer, &frame->lights, frame->image,
+                            NULL, NULL, NULL, err));
+done:
     return status;
 }
 
 static void summarize(const measuring *m, tl_bench_record *out)
 {
-    out->frame_ms = tl_samples_summarize(&m->frame);
-    out->kernel_cull_ms = tl_samples_summarize(&m->cull);
-    out->kernel_shade_ms = tl_samples_summarize(&m->shade);
+    out->frame_ms = tl_samples_summarize(&m->ours.frame);
+    out->kernel_cull_ms = tl_samples_summarize(&m->ours.cull);
+    out->kernel_shade_ms = tl_samples_summarize(&m->ours.shade);
+    out->turns.frame_ms = tl_samples_summarize(&m->theirs.frame);
+    out->turns.frame = tl_samples_summarize(&m->frame_ratio);
+    out->turns.cull = tl_samples_summarize(&m->cull_ratio);
+    out->turns.shade = tl_samples_summarize(&m->shade_ratio);
     out->post_ms = tl_samples_summarize(&m->post);
     out->shade_processors = tl_samples_summarize(&m->processors);
     out->stage_count = m->stage_count;
@@ -92,6 +150,52 @@ static void summarize(const measuring *m, tl_bench_record *out)
         out->stage_names[i] = m->stage_names[i];
         out->stage_ms[i] = tl_samples_summarize(&m->stages[i]);
     }
+}
+
+/* Bytes per pixel of the words that have a part of the depth attribute. */
+static uint32_t depth_bytes(const tl_gbuffer *gbuffer)
+{
+    const tl_attribute *depth = &tl_layouts[gbuffer->layout].depth;
+    const int channels = TL_IS_POSITION(depth->code) ? 3 : 1;
+    uint32_t bytes = 0, counted = 0;
+    for (int i = 0; i < channels; i++) {
+        const uint32_t word = depth->channels[i].word;
+        if (!(counted >> word & 1u))
+            bytes += tl_gbuffer_word_size(gbuffer, word);
+        counted |= 1u << word;
+    }
+    return bytes;
+}
+
+static void describe(const tl_bench_frame *frame, const measuring *m, tl_bench_record *out)
+{
+    const tl_gbuffer *gbuffer = m->ours.gbuffer;
+    out->pairs = frame->pairs;
+    out->range = frame->lights.count ? (double)frame->lights.lights[0].range : 0.0;
+    out->plane_count = (uint32_t)__builtin_popcount(frame->gbuffer->present);
+    out->pixel_bytes = tl_gbuffer_pixel_size(gbuffer);
+    out->depth_bytes = depth_bytes(gbuffer);
+    out->pitch = gbuffer->pitch;
+    out->rows = gbuffer->rows;
+    if (m->theirs.gbuffer)
+        out->turns.pixel_bytes = tl_gbuffer_pixel_size(m->theirs.gbuffer);
+}
+
+static tl_status prepare(tl_device *device,
+                         const tl_bench_case *of,
+                         tl_bench_frame *frame,
+                         measuring *m,
+                         tl_error *err)
+{
+    tl_status status = TL_OK;
+    TRY(tl_bench_frame_in(frame, of->layout, &m->ours.gbuffer, err));
+    TRY(tl_lighting_create(device, &of->lighting, &m->ours.lighting, err));
+    if (of->against != of->layout) {
+        TRY(tl_bench_frame_in(frame, of->against, &m->theirs.gbuffer, err));
+        TRY(tl_lighting_create(device, &of->lighting, &m->theirs.lighting, err));
+    }
+done:
+    return status;
 }
 
 tl_status tl_bench_measure(tl_device *device,
@@ -103,31 +207,30 @@ tl_status tl_bench_measure(tl_device *device,
                            tl_error *err)
 {
     tl_status status = TL_OK;
-    tl_lighting *lighting = NULL;
     measuring m = {0};
     tl_bench_record record = {.of = *of};
 
     TRY(tl_bench_frame_make(frame, of, err));
-    record.pairs = frame->pairs;
-    record.range = (double)frame->lights.lights[0].range;
-    record.plane_count = (uint32_t)__builtin_popcount(frame->gbuffer->present);
-    record.pitch = frame->gbuffer->pitch;
-    record.rows = frame->gbuffer->rows;
+    TRY(prepare(device, of, frame, &m, err));
+    describe(frame, &m, &record);
     if (peaks)
         record.peaks = *peaks;
     if (device)
         record.device = tl_device_describe(device);
-    TRY(tl_lighting_create(device, &of->lighting, &lighting, err));
-    TRY(warm_up(lighting, frame, &record, err));
+    TRY(tl_storage_error_find(device, of, frame, &record.error, err));
+    TRY(warm_up(&m, frame, &record, err));
+    const tl_samples *sampled = m.theirs.lighting ? &m.frame_ratio : &m.ours.frame;
     const double start = tl_seconds();
     do {
-        TRY(sample(lighting, frame, &m, &record.counts, err));
-    } while (!tl_sampling_done(rule, &m.frame, start));
+        TRY(sample_ours(&m, frame, &record.counts, err));
+        if (m.theirs.lighting)
+            TRY(sample_theirs(&m, frame, err));
+    } while (!tl_sampling_done(rule, sampled, start));
     summarize(&m, &record);
-    tl_lighting_build_options(lighting, record.build_options, sizeof record.build_options);
+    tl_lighting_build_options(m.ours.lighting, record.build_options,
+                              sizeof record.build_options);
     *out = record;
 done:
-    tl_lighting_destroy(lighting);
     clear(&m);
     return status;
 }

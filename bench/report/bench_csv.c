@@ -36,11 +36,33 @@ static void print_names(FILE *out)
         fprintf(out, ",%s_median,%s_low,%s_high,%s_least,%s_p90", name, name, name, name, name);
     }
     fputs(",shade_processors,first_frame,build,pairs_culled,pairs_in_range,pairs_lit,device_"
-          "bytes",
+          "bytes,pixel_bytes,against_pixel_bytes",
           out);
+    for (int i = 0; i < tl_bench_ratio_count; i++)
+        fprintf(out, ",%s_ratio,%s_ratio_low,%s_ratio_high", tl_bench_ratios[i].name,
+                tl_bench_ratios[i].name, tl_bench_ratios[i].name);
+    fputs(",error_max,error_p999,error_rms,error_mean", out);
     for (int i = 0; i < tl_figure_count; i++)
         fprintf(out, ",%s", tl_figures[i].name);
     fputc('\n', out);
+}
+
+/* Nothing where the case was lit alone, or its layout has no error that is known. */
+static void print_packing(FILE *out, const tl_bench_record *r)
+{
+    const tl_difference *d = &r->error.of;
+    const double errors[] = {d->relative_max, d->relative_p999, d->relative_rms,
+                             d->relative_mean};
+    fprintf(out, ",%u", r->pixel_bytes);
+    print_number(out, r->turns.frame.count ? r->turns.pixel_bytes : (double)NAN);
+    for (int i = 0; i < tl_bench_ratio_count; i++) {
+        const tl_summary *s = tl_bench_time_of(&tl_bench_ratios[i], r);
+        const double values[] = {s->median, s->interval.low, s->interval.high};
+        for (size_t k = 0; k < sizeof values / sizeof values[0]; k++)
+            print_number(out, s->count ? values[k] : (double)NAN);
+    }
+    for (size_t k = 0; k < sizeof errors / sizeof errors[0]; k++)
+        print_number(out, r->error.is_known ? errors[k] : (double)NAN);
 }
 
 static void print_record(FILE *out, const tl_bench_record *r)
@@ -63,6 +85,7 @@ static void print_record(FILE *out, const tl_bench_record *r)
     print_number(out, r->build_ms);
     fprintf(out, ",%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64, r->counts.pair_count,
             r->pairs.in_range, r->pairs.lit, r->counts.device_bytes);
+    print_packing(out, r);
     for (int i = 0; i < tl_figure_count; i++)
         print_number(out, tl_figures[i].of(r));
     fputc('\n', out);

@@ -2,6 +2,7 @@
 
 #include "json_values.h"
 #include "pair_flops.h"
+#include "tilelight/layouts.h"
 
 json_t *tl_bench_json_begin(const tl_machine *machine)
 {
@@ -72,6 +73,43 @@ static json_t *figures_json(const tl_bench_record *r)
     return object;
 }
 
+/* null where the case was lit alone. */
+static json_t *turns_json(const tl_bench_record *r)
+{
+    json_t *object;
+    if (r->turns.frame.count == 0)
+        return json_null();
+    object = json_pack("{ss si so}", "layout", tl_layout_word(r->of.against), "pixel_bytes",
+                       (int)r->turns.pixel_bytes, "frame_ms",
+                       tl_bench_json_summary(&r->turns.frame_ms));
+    for (int i = 0; object && i < tl_bench_ratio_count; i++)
+        json_object_set_new(object, tl_bench_ratios[i].name,
+                            tl_bench_json_summary(tl_bench_time_of(&tl_bench_ratios[i], r)));
+    return object;
+}
+
+/* null where it is not known; numbers are relative to the picture's mean. */
+static json_t *error_json(const tl_storage_error *e)
+{
+    static const char *const names[TL_PLANE_COUNT] = {
+#define CHANNEL_NAME(name, channel, empty, meaning) [name] = channel,
+        TL_PLANES(CHANNEL_NAME)
+#undef CHANNEL_NAME
+    };
+    json_t *lost = json_array();
+    if (!e->is_known) {
+        json_decref(lost);
+        return json_null();
+    }
+    for (int p = 0; p < TL_PLANE_COUNT; p++)
+        if (e->lost & TL_HAS(p))
+            json_array_append_new(lost, json_string(names[p]));
+    return json_pack("{so so so so so}", "max", tl_json_number(e->of.relative_max), "p999",
+                     tl_json_number(e->of.relative_p999), "rms",
+                     tl_json_number(e->of.relative_rms), "mean",
+                     tl_json_number(e->of.relative_mean), "lost", lost);
+}
+
 json_t *tl_bench_json_record(const tl_bench_record *r)
 {
     const tl_lighting_counts *c = &r->counts;
@@ -79,10 +117,11 @@ json_t *tl_bench_json_record(const tl_bench_record *r)
         json_pack("{so so so so so}", "case", tl_bench_json_case(&r->of), "device",
                   tl_bench_json_device(&r->device), "peaks", tl_bench_json_peaks(&r->peaks),
                   "times_ms", times_json(r), "figures", figures_json(r));
-    json_t *frame = json_pack("{so si sI sI si sI}", "range_m", tl_json_number(r->range),
-                              "planes", (int)r->plane_count, "tiles", (json_int_t)c->tile_count,
-                              "list_entries", (json_int_t)c->list_length, "bands",
-                              (int)c->band_count, "device_bytes", (json_int_t)c->device_bytes);
+    json_t *frame =
+        json_pack("{so si si sI sI si sI}", "range_m", tl_json_number(r->range), "planes",
+                  (int)r->plane_count, "pixel_bytes", (int)r->pixel_bytes, "tiles",
+                  (json_int_t)c->tile_count, "list_entries", (json_int_t)c->list_length,
+                  "bands", (int)c->band_count, "device_bytes", (json_int_t)c->device_bytes);
     json_t *pairs = json_pack("{sI sI sI}", "culled", (json_int_t)c->pair_count, "in_range",
                               (json_int_t)r->pairs.in_range, "lit", (json_int_t)r->pairs.lit);
     if (!object || json_object_set_new(object, "frame", frame) != 0 ||
@@ -90,6 +129,8 @@ json_t *tl_bench_json_record(const tl_bench_record *r)
         json_object_set_new(object, "shade_processors",
                             tl_bench_json_summary(&r->shade_processors)) != 0 ||
         json_object_set_new(object, "pairs", pairs) != 0 ||
+        json_object_set_new(object, "against", turns_json(r)) != 0 ||
+        json_object_set_new(object, "error", error_json(&r->error)) != 0 ||
         json_object_set_new(object, "first_frame_ms", tl_json_number(r->first_ms)) != 0 ||
         json_object_set_new(object, "build_ms", tl_json_number(r->build_ms)) != 0) {
         json_decref(object);

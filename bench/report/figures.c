@@ -15,6 +15,15 @@ const tl_bench_time tl_bench_times[] = {
 #undef TIME
 const int tl_bench_time_count = sizeof tl_bench_times / sizeof tl_bench_times[0];
 
+#define RATIO(name) #name, offsetof(tl_bench_record, turns.name)
+const tl_bench_time tl_bench_ratios[] = {
+    {RATIO(frame), "whole frames"},
+    {RATIO(cull), "the culling kernels"},
+    {RATIO(shade), "the shading kernels"},
+};
+#undef RATIO
+const int tl_bench_ratio_count = sizeof tl_bench_ratios / sizeof tl_bench_ratios[0];
+
 const tl_summary *tl_bench_time_of(const tl_bench_time *time, const tl_bench_record *record)
 {
     return (const tl_summary *)(const void *)((const char *)record + time->offset);
@@ -25,9 +34,9 @@ static double pixels(const tl_bench_record *r)
     return (double)r->of.scene_options.width * r->of.scene_options.height;
 }
 
-static double plane_bytes(const tl_bench_record *r)
+static double stored_pixels(const tl_bench_record *r)
 {
-    return (double)sizeof(float) * r->pitch * r->rows;
+    return (double)r->pitch * r->rows;
 }
 
 /* Seconds of shading: events, else the stage on the host. */
@@ -55,13 +64,15 @@ static double megapixels(const tl_bench_record *r)
 
 static double bytes_of_shading(const tl_bench_record *r)
 {
-    return (r->plane_count + 3) * plane_bytes(r) + 4.0 * (double)r->counts.list_length;
+    return (r->pixel_bytes + 3 * sizeof(float)) * stored_pixels(r) +
+           4.0 * (double)r->counts.list_length;
 }
 
-/* Culling reads the depth plane and writes the lists that shading reads. */
+/* Culling reads what positions are stored in and writes the lists that shading reads. */
 static double bytes_moved(const tl_bench_record *r)
 {
-    return bytes_of_shading(r) + plane_bytes(r) + 4.0 * (double)r->counts.list_length;
+    return bytes_of_shading(r) + r->depth_bytes * stored_pixels(r) +
+           4.0 * (double)r->counts.list_length;
 }
 
 /* A pair that the light does not reach costs its test. */
@@ -102,7 +113,7 @@ const tl_figure tl_figures[] = {
     {"ns_per_pair", "frame time per pair that culling lists, padding included", 0, ns_per_pair},
     {"ns_per_lit_pair", "frame time per pair with light to see", 0, ns_per_lit_pair},
     {"mpixel_per_s", "pixels of the picture by frame time", 0, megapixels},
-    {"bytes_moved", "planes and picture once, depth and lists twice", 0, bytes_moved},
+    {"bytes_moved", "G-buffer and picture once, depth and lists twice", 0, bytes_moved},
     {"flops_per_byte", "of shading", 0, flops_per_byte},
     {"gflop_per_s",
      "of shading: a test for each listed pair, the rest of a pair for each in range", 0,

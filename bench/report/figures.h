@@ -7,11 +7,17 @@
 /* Of the times of a record, those that every case has. */
 typedef struct tl_bench_time {
     const char *name;
-    size_t offset; /* of a tl_summary in tl_bench_record, ms */
+    size_t offset; /* of a tl_summary in tl_bench_record, ms or a ratio */
     const char *meaning;
 } tl_bench_time;
 extern const tl_bench_time tl_bench_times[];
 extern const int tl_bench_time_count;
+
+/* Of two layouts by turns, the case's time over the other's; summaries of count 0 where it was lit
+ * alone. */
+extern const tl_bench_time tl_bench_ratios[];
+extern const int tl_bench_ratio_count;
+
 const tl_summary *tl_bench_time_of(const tl_bench_time *time, const tl_bench_record *record);
 
 typedef struct tl_figure {

@@ -37,6 +37,15 @@ const tl_bench_scene tl_bench_scenes[] = {
 };
 const int tl_bench_scene_count = sizeof tl_bench_scenes / sizeof tl_bench_scenes[0];
 
+const tl_bench_material tl_bench_materials[] = {
+    {"phong", "specular colour and exponent", TL_GROUP_BASE | TL_GROUP_PHONG},
+    {"diffuse", "no highlights", TL_GROUP_BASE},
+    {"metal-rough", "metallic and roughness", TL_GROUP_BASE | TL_GROUP_METAL_ROUGH},
+    {"full", "metallic, roughness, ambient occlusion, emission",
+     TL_GROUP_BASE | TL_GROUP_METAL_ROUGH | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE},
+};
+const int tl_bench_material_count = sizeof tl_bench_materials / sizeof tl_bench_materials[0];
+
 const tl_bench_scene *tl_bench_scene_find(const char *name)
 {
     for (int i = 0; i < tl_bench_scene_count; i++)
@@ -47,8 +56,12 @@ const tl_bench_scene *tl_bench_scene_find(const char *name)
 
 tl_bench_scene_options tl_bench_scene_options_default(void)
 {
-    return (tl_bench_scene_options){
-        .width = 1920, .height = 1080, .light_count = 1024, .seed = 1, .lights_per_tile = 27.0};
+    return (tl_bench_scene_options){.width = 1920,
+                                    .height = 1080,
+                                    .material = &tl_bench_materials[0],
+                                    .light_count = 1024,
+                                    .seed = 1,
+                                    .lights_per_tile = 27.0};
 }
 
 tl_status tl_bench_scene_make(const tl_bench_scene *scene,
@@ -59,7 +72,8 @@ tl_status tl_bench_scene_make(const tl_bench_scene *scene,
 {
     tl_status status = TL_OK;
     tl_gbuffer *made = NULL;
-    TRY(tl_ray_cast(scene, options->width, options->height, &made, err));
+    TRY(tl_ray_cast(scene, options->material->present, options->width, options->height, &made,
+                    err));
     TRY(tl_scene_lights(made, options, lights, err));
     *gbuffer = made;
     made = NULL;

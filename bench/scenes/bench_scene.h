@@ -28,20 +28,31 @@ extern const int tl_bench_scene_count;
 /* NULL where none has that name. */
 const tl_bench_scene *tl_bench_scene_find(const char *name);
 
+/* What surfaces are made of: the planes of the G-buffer. */
+typedef struct tl_bench_material {
+    const char *name;    /* a word: a value of --material */
+    const char *meaning; /* a phrase */
+    uint32_t present;    /* planes, bits 1 << plane */
+} tl_bench_material;
+
+/* [tl_bench_material_count]; the first is the default. */
+extern const tl_bench_material tl_bench_materials[];
+extern const int tl_bench_material_count;
+
 typedef struct tl_bench_scene_options {
     uint32_t width, height; /* px */
-    uint32_t light_count;   /* 0 to TL_MAX_SCATTERED */
+    const tl_bench_material *material;
+    uint32_t light_count; /* 0 to TL_MAX_SCATTERED */
     uint32_t seed;
     double lights_per_tile; /* on average of 16 px tiles, sky included, as TL_CULL_DEPTH lists
                                 them; sets the range */
     double range;           /* m; 0: from lights_per_tile */
 } tl_bench_scene_options;
 
-/* 1920x1080, 1024 lights, seed 1, 27 per tile. */
+/* 1920x1080, Phong, 1024 lights, seed 1, 27 per tile. */
 tl_bench_scene_options tl_bench_scene_options_default(void);
 
-/* The frame and its lights: point lights, linear falloff, spread evenly over what is visible. Planes:
- * TL_GROUP_BASE and TL_GROUP_PHONG. The caller releases *gbuffer with tl_gbuffer_destroy and clears
+/* The frame and its lights: point lights, linear falloff, spread evenly over what is visible. The caller releases *gbuffer with tl_gbuffer_destroy and clears
  * *lights, which is empty before. Fails with TL_ERR_ARGUMENT (sizes out of range) or
  * TL_ERR_MEMORY. */
 tl_status tl_bench_scene_make(const tl_bench_scene *scene,

@@ -318,7 +318,8 @@ static tl_status make_gbuffer(const check_frame *row, tl_gbuffer **out, tl_error
 {
     tl_status status = TL_OK;
     tl_gbuffer *cast = NULL, *made = NULL;
-    TRY(tl_ray_cast(tl_bench_scene_find(row->scene), row->width, row->height, &cast, err));
+    TRY(tl_ray_cast(tl_bench_scene_find(row->scene), TL_GROUP_BASE | TL_GROUP_PHONG, row->width,
+                    row->height, &cast, err));
     const tl_camera camera = camera_of(row, cast);
     TRY(tl_gbuffer_create(&camera, row->present, &made, err));
     copy_planes(cast, made);

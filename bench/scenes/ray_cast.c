@@ -36,18 +36,26 @@ static double between(double low, double high, double share)
     return low + (high - low) * share;
 }
 
-/* What the surface with this number is made of. */
+static void put(const cast *c, int plane, size_t at, double value)
+{
+    if (c->planes[plane])
+        c->planes[plane][at] = (float)value;
+}
+
+/* What the surface with this number is made of. A quarter is metal, an eighth shines by itself. */
 static void write_material(const cast *c, size_t at, uint32_t number)
 {
+    const double glow = number % 8 == 7 ? 0.3 : 0.0;
     for (int i = 0; i < 3; i++) {
         const uint32_t k = 3 * number + (uint32_t)i;
-        c->planes[TL_ALBEDO_R + i][at] =
-            (float)between(0.15, 0.9, spread(k, 0.7320508075688772));
-        c->planes[TL_SPECULAR_R + i][at] =
-            (float)between(0.04, 0.5, spread(number, 0.2360679774997898));
+        put(c, TL_ALBEDO_R + i, at, between(0.15, 0.9, spread(k, 0.7320508075688772)));
+        put(c, TL_SPECULAR_R + i, at, between(0.04, 0.5, spread(number, 0.2360679774997898)));
+        put(c, TL_EMISSIVE_R + i, at, glow * spread(k, 0.7320508075688772));
     }
-    c->planes[TL_SHININESS][at] =
-        (float)(8.0 * exp2(5.0 * spread(number, 0.6457513110645906))); /* 8 to 256 */
+    put(c, TL_SHININESS, at, 8.0 * exp2(5.0 * spread(number, 0.6457513110645906))); /* to 256 */
+    put(c, TL_METALLIC, at, number % 4 == 3 ? 1.0 : 0.0);
+    put(c, TL_ROUGHNESS, at, between(0.3, 0.9, spread(number, 0.6457513110645906)));
+    put(c, TL_OCCLUSION, at, between(0.5, 1.0, spread(number, 0.2360679774997898)));
 }
 
 /* The point x, y, z (view space) of a surface with unit normal n (the same in world space: the camera
@@ -171,11 +179,12 @@ static tl_camera camera_of(uint32_t width, uint32_t height)
         .bottom = (float)view_bottom,
         .top = (float)view_top,
         .near = 0.1f,
-        .far = INFINITY,
+        .far = 1000.0f, /* beyond all surfaces; finite for layouts that store shares of it */
         .view_from_world = {{1, 0, 0, 0}, {0, 1, 0, (float)-eye_height}, {0, 0, 1, 0}}};
 }
 
 tl_status tl_ray_cast(const tl_bench_scene *scene,
+                      uint32_t present,
                       uint32_t width,
                       uint32_t height,
                       tl_gbuffer **out,
@@ -184,7 +193,7 @@ tl_status tl_ray_cast(const tl_bench_scene *scene,
     tl_status status = TL_OK;
     const tl_camera camera = camera_of(width, height);
     cast c = {.scene = scene};
-    TRY(tl_gbuffer_create(&camera, TL_GROUP_BASE | TL_GROUP_PHONG, &c.gbuffer, err));
+    TRY(tl_gbuffer_create(&camera, present, &c.gbuffer, err));
     for (int plane = 0; plane < TL_PLANE_COUNT; plane++)
         c.planes[plane] = tl_gbuffer_plane(c.gbuffer, (enum tl_plane)plane);
     c.spheres = calloc(scene->sphere_count + 1u, sizeof *c.spheres);

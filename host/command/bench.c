@@ -17,9 +17,10 @@ static void list_axes(void)
 
 static void list_sets(void)
 {
-    puts("\nSets of cases, for --case:");
+    puts("\nSets of cases, for --case; (+): run only where it is named:");
     for (int i = 0; i < tl_bench_set_count; i++) {
-        printf("  %-13s %s:", tl_bench_sets[i].name, tl_bench_sets[i].meaning);
+        printf("  %-9s %-3s %s:", tl_bench_sets[i].name,
+               tl_bench_sets[i].only_if_named ? "(+)" : "", tl_bench_sets[i].meaning);
         for (int axis = 0; axis < TL_AXIS_COUNT; axis++)
             if (tl_bench_sets[i].lists.of[axis])
                 printf(" --%s %s", tl_bench_axes[axis].name, tl_bench_sets[i].lists.of[axis]);
@@ -32,6 +33,9 @@ static void list_scenes_and_baselines(void)
     puts("\nScenes, for --scene:");
     for (int i = 0; i < tl_bench_scene_count; i++)
         printf("  %-13s %s\n", tl_bench_scenes[i].name, tl_bench_scenes[i].meaning);
+    puts("\nMaterials, for --material:");
+    for (int i = 0; i < tl_bench_material_count; i++)
+        printf("  %-13s %s\n", tl_bench_materials[i].name, tl_bench_materials[i].meaning);
     puts("\nOther ways to light a frame, for --baselines:");
     for (int i = 0; i < tl_baseline_count; i++)
         printf("  %-13s %s (%s)\n", tl_baselines[i]->name, tl_baselines[i]->meaning,
@@ -39,10 +43,8 @@ static void list_scenes_and_baselines(void)
 }
 
 static tl_status (*const modes[])(bench_session *session, tl_error *err) = {
-    [BENCH_CASES] = bench_run_cases,
-    [BENCH_BASELINES] = bench_run_baselines,
-    [BENCH_GROWTH] = bench_run_growth,
-    [BENCH_STARTUP] = bench_run_startup,
+    [BENCH_CASES] = bench_run_cases,   [BENCH_BASELINES] = bench_run_baselines,
+    [BENCH_GROWTH] = bench_run_growth, [BENCH_STARTUP] = bench_run_startup,
     [BENCH_KERNEL] = bench_run_kernel,
 };
 

@@ -24,12 +24,18 @@ static tl_status add_set(bench_session *s, const tl_bench_set *set, tl_error *er
     return tl_bench_cases_add(&s->cases, &lists, err);
 }
 
+static bool is_first_of_its_name(int set)
+{
+    return set == 0 || strcmp(tl_bench_sets[set].name, tl_bench_sets[set - 1].name) != 0;
+}
+
 static tl_status unknown_set(const char *name, tl_error *err)
 {
     char list[512] = "";
     for (int i = 0; i < tl_bench_set_count; i++)
-        snprintf(list + strlen(list), sizeof list - strlen(list), "%s%s", i ? ", " : "",
-                 tl_bench_sets[i].name);
+        if (is_first_of_its_name(i))
+            snprintf(list + strlen(list), sizeof list - strlen(list), "%s%s", i ? ", " : "",
+                     tl_bench_sets[i].name);
     return tl_fail(err, TL_ERR_ARGUMENT, "--case: no such set \"%s\"; sets: %s", name, list);
 }
 
@@ -40,10 +46,14 @@ static tl_status add_named_sets(bench_session *s, tl_error *err)
     if (!names)
         TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for cases"));
     for (const char *name; (name = strsep(&rest, ","));) {
-        const tl_bench_set *set = tl_bench_set_find(name);
-        if (!set)
+        int found = 0;
+        for (int i = 0; i < tl_bench_set_count; i++)
+            if (strcmp(tl_bench_sets[i].name, name) == 0) {
+                found++;
+                TRY(add_set(s, &tl_bench_sets[i], err));
+            }
+        if (!found)
             TRY(unknown_set(name, err));
-        TRY(add_set(s, set, err));
     }
 done:
     free(names);
@@ -58,7 +68,8 @@ static tl_status choose_cases(bench_session *s, tl_error *err)
     if (s->options->lists_given)
         return tl_bench_cases_add(&s->cases, &s->options->lists, err);
     for (int i = 0; i < tl_bench_set_count; i++)
-        TRY(add_set(s, &tl_bench_sets[i], err));
+        if (!tl_bench_sets[i].only_if_named)
+            TRY(add_set(s, &tl_bench_sets[i], err));
 done:
     return status;
 }

@@ -42,6 +42,9 @@ static void check_together(const bench_options *options, struct argp_state *stat
         argp_error(state, "--quick is for --baselines");
     if (options->mode != BENCH_CASES && (options->csv || options->sets || options->compare))
         argp_error(state, "--csv, --case and --compare are for cases");
+    if (options->mode != BENCH_CASES && options->mode != BENCH_LIST &&
+        (options->lists.of[TL_AXIS_LAYOUT] || options->lists.of[TL_AXIS_AGAINST]))
+        argp_error(state, "--layout and --against are for cases: all else lights full float");
     if (options->kernel.file && options->mode != BENCH_KERNEL && options->mode != BENCH_LIST)
         argp_error(state, "--kernel excludes --baselines, --growth and --startup");
     if (options->mode == BENCH_GROWTH && options->lists_given)
