@@ -6,7 +6,7 @@
  * their number format (number.h). On the device the row is a constant of the build, so that reading a
  * pixel is the few shifts its layout needs.
  *
- * Sources and render targets of each layout: host/scene/layouts.c. */
+ * Sources and render targets of each layout: host/gbuffer/layout_info.c. */
 #ifndef TL_LAYOUT_H
 #define TL_LAYOUT_H
 

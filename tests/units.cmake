@@ -11,6 +11,7 @@ tl_test(test_sphere_bounds unit tl_scene quadmath)
 # 128-bit floats and their literals are GNU's.
 set_target_properties(test_sphere_bounds PROPERTIES C_EXTENSIONS ON)
 target_compile_options(test_sphere_bounds PRIVATE -Wno-pedantic -Wno-conversion)
+tl_test(test_layout_targets unit tl_gbuffer)
 tl_test(test_repair unit tl_gbuffer)
 tl_test(test_repair_packed unit tl_gbuffer tl_picture)
 tl_test(test_camera_and_lights unit tl_scene)

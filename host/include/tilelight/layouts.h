@@ -17,6 +17,56 @@ tl_status tl_layout_find(const char *word, enum tl_layout_name *out, tl_error *e
 /* Planes (planes.h) that the layout can hold, bits 1 << plane. */
 uint32_t tl_layout_planes(enum tl_layout_name layout);
 
+/* Formats of render targets, by OpenGL's names. X(name, word, bytes of a texel, channels)
+ *
+ * A layout's words are the memory of its targets, little-endian, channel after channel from the lowest
+ * bit (GL_UNSIGNED_INT_2_10_10_10_REV for RGB10_A2). R32UI: packed by the shader, for want of a format
+ * that OpenGL renders to. D24 and D32F are depth buffers. */
+#define TL_FORMATS(X)                                \
+    X(TL_FORMAT_RGBA32F, "RGBA32F", 16, 4)           \
+    X(TL_FORMAT_R32F, "R32F", 4, 1)                  \
+    X(TL_FORMAT_RGBA16F, "RGBA16F", 8, 4)            \
+    X(TL_FORMAT_RG16F, "RG16F", 4, 2)                \
+    X(TL_FORMAT_R16F, "R16F", 2, 1)                  \
+    X(TL_FORMAT_RGBA8, "RGBA8", 4, 4)                \
+    X(TL_FORMAT_RGBA8_SNORM, "RGBA8_SNORM", 4, 4)    \
+    X(TL_FORMAT_RGB10_A2, "RGB10_A2", 4, 4)          \
+    X(TL_FORMAT_RG8, "RG8", 2, 2)                    \
+    X(TL_FORMAT_R32UI, "R32UI", 4, 1)                \
+    X(TL_FORMAT_D24, "D24", 4, 1) /* bits 0 to 23 */ \
+    X(TL_FORMAT_D32F, "D32F", 4, 1)
+
+#define TL_FORMAT_NAME(name, word, bytes, channels) name,
+enum tl_format { TL_FORMATS(TL_FORMAT_NAME) TL_FORMAT_COUNT };
+#undef TL_FORMAT_NAME
+
+typedef struct tl_format_row {
+    const char *word;
+    uint32_t bytes, channels;
+} tl_format_row;
+
+const tl_format_row *tl_format_describe(enum tl_format format);
+
+enum { TL_MAX_TARGETS = 8 }; /* of OpenGL at once, everywhere */
+
+/* A render target and the words it is read as. It is made where the frame has one of them; what the
+ * texel holds beyond its words (a fourth channel) is not stored. */
+typedef struct tl_target {
+    enum tl_format format;
+    uint32_t first_word, word_count;
+    const char *holds;
+} tl_target;
+
+typedef struct tl_layout_info {
+    const char *source;  /* author, title, year, section */
+    const char *summary; /* a line */
+    uint32_t target_count;
+    tl_target targets[TL_MAX_TARGETS]; /* every word in one of them, in the words' order */
+} tl_layout_info;
+
+/* Where the layout is from and what the geometry pass renders it to. Cannot fail. */
+const tl_layout_info *tl_layout_describe(enum tl_layout_name layout);
+
 /* What packing could not keep. */
 typedef struct tl_packing_report {
     uint32_t dropped; /* planes that the layout has no place for */
