@@ -13,6 +13,8 @@ static const struct {
 } cases[] = {
     {"standard output is full", "$T render $D/nine-lights.gltf --size 64x64 -o - >/dev/full", 5,
      "standard output", 0},
+    {"layouts to a full standard output", "$T layouts >/dev/full", 5,
+     "standard output could not be written", 0},
     {"lights to a full standard output",
      "$T capture $D/nine-lights.gltf --size 8x8 -o g.exr --lights-out - >/dev/full", 5,
      "standard output", 0},

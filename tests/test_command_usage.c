@@ -25,6 +25,7 @@ static const struct {
     {"$T compare --help", 0, "--tolerance", ""},
     {"$T info --help", 0, "--json", ""},
     {"$T devices --help", 0, "--json", ""},
+    {"$T layouts --help", 0, "--bandwidth", ""},
 
     {"$T light", 2, "", "G.exr is missing"},
     {"$T light a.exr", 2, "", "-o is missing"},
@@ -97,6 +98,14 @@ static const struct {
     {"$T compare a b --metric psnr", 2, "", "metrics: max, mean, rms, p999"},
     {"$T compare a b --tolerance -1", 2, "", "--tolerance"},
     {"$T devices x", 2, "", "\"x\" is an argument too many"},
+    {"$T layouts float merlin", 2, "", "\"merlin\" is an argument too many"},
+    {"$T layouts thin", 2, "", "no layout is called \"thin\": there are float, float-forward"},
+    {"$T layouts --size 64x64", 2, "", "--size and --device are for --bandwidth"},
+    {"$T layouts --device cpu", 2, "", "--size and --device are for --bandwidth"},
+    {"$T layouts --bandwidth --size 64", 2, "", "--size: \"64\" is no size"},
+    {"$T layouts --bandwidth --device nowhere", 4, "equation 7", "nowhere"},
+    {"OCL_ICD_VENDORS=/nonexistent $T layouts --bandwidth", 0, "equation 7",
+     "nothing is measured: "},
 
     {"$T light missing.exr -o c.png", 3, "", "missing.exr"},
     {"$T render missing.gltf -o c.png", 3, "", "missing.gltf"},

@@ -13,5 +13,6 @@ int command_bench(int argc, char **argv);
 int command_compare(int argc, char **argv);
 int command_info(int argc, char **argv);
 int command_devices(int argc, char **argv);
+int command_layouts(int argc, char **argv);
 
 #endif

@@ -48,6 +48,8 @@ static const struct {
     {"compare", "A B", "how far two pictures are apart", command_compare, ""},
     {"info", "FILE", "what is in a G-buffer, a picture or a lights file", command_info, ""},
     {"devices", "", "what can run: OpenCL devices, the OpenGL renderer", command_devices, ""},
+    {"layouts", "[NAME]", "how pixels are packed, and what their bytes buy", command_layouts,
+     ""},
 };
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
