@@ -26,6 +26,7 @@ enum tl_number {
     TL_NUMBER_COUNT
 };
 
+#define TL_MOST_FLOAT R(0x1.fffffep127)
 #define TL_MOST_HALF R(65504.0)
 
 /* `bits` bits from `shift` on, as a whole number. */

@@ -28,11 +28,13 @@ TL_INLINE real cut_to(tl_packing *p, tl_u32 planes, real low, real high, real va
     return value < low ? low : value > high ? high : value;
 }
 
-/* To nearest, ties to even, by what is added below the last bit that stays. */
+/* The bits of |value| but the last ones: to nearest, ties to even, by what is added below the last one
+ * that stays. No sign: that of -0 would spill into the next number. */
 TL_INLINE word32 rounded_bits(float value, tl_u32 dropped)
 {
+    const float magnitude = fabsf(value);
     word32 bits;
-    memcpy(&bits, &value, sizeof bits);
+    memcpy(&bits, &magnitude, sizeof bits);
     return (bits + (1u << (dropped - 1u)) - 1u + (bits >> dropped & 1u)) >> dropped;
 }
 
@@ -52,7 +54,8 @@ TL_INLINE word32 whole_of(real value)
 
 TL_INLINE word32 number_of(tl_packing *p, tl_channel c, tl_u32 planes, real value)
 {
-    const float rounded = (float)value;
+    const float rounded =
+        (float)(isinf(value) ? value : cut_to(p, planes, -TL_MOST_FLOAT, TL_MOST_FLOAT, value));
     word32 bits;
     if (c.number == TL_NUMBER_FLOAT) {
         memcpy(&bits, &rounded, sizeof bits);
@@ -85,11 +88,12 @@ TL_INLINE void put(tl_packing *p, tl_channel c, tl_u32 planes, real value)
     put_bits(p, c, number_of(p, c, planes, value));
 }
 
-TL_INLINE void put_three(tl_packing *p, const tl_attribute *a, tl_u32 planes, vec3 v)
+/* first: the bit of the first of three planes, 0: none is named when cut. */
+TL_INLINE void put_three(tl_packing *p, const tl_attribute *a, tl_u32 first, vec3 v)
 {
-    put(p, a->channels[0], planes, v.x);
-    put(p, a->channels[1], planes, v.y);
-    put(p, a->channels[2], planes, v.z);
+    put(p, a->channels[0], first, v.x);
+    put(p, a->channels[1], first << 1, v.y);
+    put(p, a->channels[2], first << 2, v.z);
 }
 
 /* --- normals ----------------------------------------------------------------------------------- */
@@ -148,15 +152,26 @@ TL_INLINE void put_normal(tl_packing *p, vec3 v)
 
 /* --- depth and position ------------------------------------------------------------------------ */
 
+/* Says so where a surface is off the depths of the camera, by more than rounding them: nearness itself
+ * cannot tell, which far away hardly moves. */
+TL_INLINE void note_depth(tl_packing *p, real depth)
+{
+    const real parallel = p->needs.orthographic ? p->far - p->near : R(0.0);
+    const real before = R(1e-6) * (ABSOLUTE(p->near) + parallel);
+    const real behind = R(1e-6) * (ABSOLUTE(p->far) + parallel);
+    if (depth < p->near - before || depth > p->far + behind)
+        p->cut |= TL_HAS(TL_DEPTH);
+}
+
 /* Of a surface, which is never written as sky: the last number before it is the far plane's. */
-TL_INLINE real stored_nearness(tl_packing *p, real depth)
+TL_INLINE real stored_nearness(const tl_packing *p, real depth)
 {
     const tl_channel c = p->layout->depth.channels[0];
     const real q = p->needs.orthographic ? (p->far - depth) / (p->far - p->near)
                                          : (R(1.0) / depth - R(1.0) / p->far) /
                                                (R(1.0) / p->near - R(1.0) / p->far);
     const real step = c.number == TL_NUMBER_FLOAT ? R(0x1p-24) : unorm_step(24u);
-    const real inside = cut_to(p, TL_HAS(TL_DEPTH), R(0.0), R(1.0), q);
+    const real inside = q < R(0.0) ? R(0.0) : q > R(1.0) ? R(1.0) : q;
     if (p->layout->depth.code == TL_DEPTH_REVERSED)
         return inside > R(0x1p-126) ? inside : R(0x1p-126);
     const real forward = R(1.0) - inside < R(1.0) - step ? R(1.0) - inside : R(1.0) - step;
@@ -180,6 +195,15 @@ TL_INLINE vec3 world_point(const tl_frame *frame, vec3 view)
     return world;
 }
 
+/* Of view or world; all three numbers are the plane of depth. */
+TL_INLINE void put_position(tl_packing *p, vec3 at)
+{
+    const tl_channel *const channels = p->layout->depth.channels;
+    put(p, channels[0], TL_HAS(TL_DEPTH), at.x);
+    put(p, channels[1], TL_HAS(TL_DEPTH), at.y);
+    put(p, channels[2], TL_HAS(TL_DEPTH), at.z);
+}
+
 TL_INLINE void put_depth(tl_packing *p, real depth, real column, real row)
 {
     const tl_attribute *a = &p->layout->depth;
@@ -187,12 +211,13 @@ TL_INLINE void put_depth(tl_packing *p, real depth, real column, real row)
     if (TL_IS_POSITION(a->code)) {
         const vec3 sky = {(real)INFINITY, R(0.0), R(0.0)};
         const vec3 view = view_position(p->frame->rays, p->needs, column, row, depth);
-        put_three(p, a, TL_HAS(TL_DEPTH),
-                  is_sky                              ? sky
-                  : a->code == TL_DEPTH_VIEW_POSITION ? view
-                                                      : world_point(p->frame, view));
+        put_position(p, is_sky                              ? sky
+                        : a->code == TL_DEPTH_VIEW_POSITION ? view
+                                                            : world_point(p->frame, view));
     } else if (TL_IS_NEARNESS(a->code)) {
         const real sky = a->code == TL_DEPTH_REVERSED ? R(0.0) : R(1.0);
+        if (!is_sky)
+            note_depth(p, depth);
         put(p, a->channels[0], TL_HAS(TL_DEPTH), is_sky ? sky : stored_nearness(p, depth));
     } else if (a->code == TL_DEPTH_FRACTION) {
         put(p, a->channels[0], TL_HAS(TL_DEPTH), (depth - p->near) / (p->far - p->near));
@@ -203,11 +228,11 @@ TL_INLINE void put_depth(tl_packing *p, real depth, real column, real row)
 
 /* --- colours and exponents ---------------------------------------------------------------------- */
 
-TL_INLINE void put_shared(tl_packing *p, tl_u32 planes, tl_channel c, vec3 color)
+TL_INLINE void put_shared(tl_packing *p, tl_u32 first, tl_channel c, vec3 color)
 {
-    const real r = cut_to(p, planes, R(0.0), TL_MOST_SHARED, color.x);
-    const real g = cut_to(p, planes, R(0.0), TL_MOST_SHARED, color.y);
-    const real b = cut_to(p, planes, R(0.0), TL_MOST_SHARED, color.z);
+    const real r = cut_to(p, first, R(0.0), TL_MOST_SHARED, color.x);
+    const real g = cut_to(p, first << 1, R(0.0), TL_MOST_SHARED, color.y);
+    const real b = cut_to(p, first << 2, R(0.0), TL_MOST_SHARED, color.z);
     const real largest = r > g ? (r > b ? r : b) : (g > b ? g : b);
     int exponent = 0; /* largest = [1/2, 1) 2^exponent; the mantissa is 9 bits below it */
     frexp(largest, &exponent);
@@ -220,19 +245,19 @@ TL_INLINE void put_shared(tl_packing *p, tl_u32 planes, tl_channel c, vec3 color
                  (word32)(exponent + 15) << 27);
 }
 
-TL_INLINE void put_color(tl_packing *p, const tl_attribute *a, tl_u32 planes, vec3 c)
+TL_INLINE void put_color(tl_packing *p, const tl_attribute *a, tl_u32 first, vec3 c)
 {
     const vec3 roots = {SQRT(c.x), SQRT(c.y), SQRT(c.z)};
     const real least = c.x < c.y ? (c.x < c.z ? c.x : c.z) : (c.y < c.z ? c.y : c.z);
     const real greatest = c.x > c.y ? (c.x > c.z ? c.x : c.z) : (c.y > c.z ? c.y : c.z);
     if (a->code == TL_COLOR_SHARED)
-        put_shared(p, planes, a->channels[0], c);
+        put_shared(p, first, a->channels[0], c);
     else if (a->code == TL_COLOR_GRAY)
-        put(p, a->channels[0], planes, R(0.5) * (least + greatest));
+        put(p, a->channels[0], first * 7u, R(0.5) * (least + greatest));
     else if (a->code == TL_COLOR_RGB)
-        put_three(p, a, planes, c);
+        put_three(p, a, first, c);
     else
-        put_three(p, a, planes, roots);
+        put_three(p, a, first, roots);
 }
 
 TL_INLINE void put_shininess(tl_packing *p, real exponent)
@@ -259,9 +284,9 @@ TL_INLINE void pack_pixel(tl_packing *p, pixel of, real column, real row)
     const tl_layout *layout = p->layout;
     put_depth(p, of.depth, column, row);
     put_normal(p, normal_to_store(p, of.normal));
-    put_color(p, &layout->albedo, TL_THREE(TL_ALBEDO_R), of.albedo);
+    put_color(p, &layout->albedo, TL_HAS(TL_ALBEDO_R), of.albedo);
     if (p->needs.present & TL_GROUP_PHONG) {
-        put_color(p, &layout->specular, TL_THREE(TL_SPECULAR_R), of.specular);
+        put_color(p, &layout->specular, TL_HAS(TL_SPECULAR_R), of.specular);
         put_shininess(p, of.shininess);
     }
     if (p->needs.present & TL_GROUP_METAL_ROUGH) {
@@ -271,7 +296,7 @@ TL_INLINE void pack_pixel(tl_packing *p, pixel of, real column, real row)
     if (p->needs.present & TL_GROUP_OCCLUSION)
         put(p, layout->occlusion.channels[0], TL_HAS(TL_OCCLUSION), of.occlusion);
     if (p->needs.present & TL_GROUP_EMISSIVE)
-        put_color(p, &layout->emissive, TL_GROUP_EMISSIVE, of.emissive);
+        put_color(p, &layout->emissive, TL_HAS(TL_EMISSIVE_R), of.emissive);
 }
 
 #endif

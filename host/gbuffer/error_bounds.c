@@ -265,13 +265,23 @@ static double octahedron_error(const tl_attribute *a, const double v[3])
 }
 
 /* The map's radius is r = 2 sin(t/2), t the angle from the axis. A step ds on the disk turns by at most
- * dt = ds / cos(t/2), which grows with r: the most that a step of `by` can turn is outwards, and beyond
- * the rim, r = 2, lies nothing but the rim. Each number is read as 4e - 2, exactly; across2 is off by 2u of
+ * dt = ds / cos(t/2), which grows with r, so a step of `by` turns by no more than one straight outwards.
+ * Where that would cross the rim, r = 2, beyond which lies nothing but the rim, t may become anything from
+ * that of r - by to pi, and the step sideways, of at most `by` rad about the axis, turns a direction so
+ * close to it by `by` times its distance. Each number is read as 4e - 2, exactly; across2 is off by 2u of
  * itself, so r by u; the roundings after that by 3u of the direction. */
-static double spheremap_turn(double r, double by)
+static double spheremap_angle(double r)
 {
-    const double end = fmin(r + by + 2.0 * u, 2.0);
-    return 2.0 * (asin(0.5 * end) - asin(0.5 * fmin(r, 2.0))) + 3.0 * u * margin;
+    return 2.0 * asin(0.5 * fmin(fmax(r, 0.0), 2.0));
+}
+
+/* step: with what reading adds to it. */
+static double spheremap_turn(double r, double step)
+{
+    const double rounding = 3.0 * u * margin, t = spheremap_angle(r);
+    const double inner = spheremap_angle(r - step);
+    return r + step < 2.0 - 0x1p-40 ? spheremap_angle(r + step) - t + rounding
+                                    : fmax(pi - t, t - inner) + step * (pi - inner) + rounding;
 }
 
 static double spheremap_error(const tl_attribute *a, const double v[3])
@@ -283,7 +293,7 @@ static double spheremap_error(const tl_attribute *a, const double v[3])
         const double step = 4.0 * number_error(a->channels[i], e);
         sum += step * step;
     }
-    return spheremap_turn(r, sqrt(sum));
+    return spheremap_turn(r, sqrt(sum) + 2.0 * u);
 }
 
 static double (*const normal_errors[TL_NORMAL_CODE_COUNT])(const tl_attribute *,
@@ -382,12 +392,14 @@ static double plain_error(const tl_attribute *a, double value)
  * and its product with L, itself rounded, by 2u: L (u/2 + 2u) ln 2 = 23.1u of 1 + e at most. The polynomial
  * and its roundings are 4u + 3u of the power's mantissa, which is 1/2 or more: 14u (specular.h). The last
  * fma: u of e. */
+static const double logarithm_read = 38.1 * 0x1p-24;
+
 static double logarithm_error(const tl_attribute *a, double exponent)
 {
     const double L = TL_LOG2_MOST_LOBE, lobe = 1.0 + exponent, t = log2(lobe) / L;
     const double h = number_error(a->channels[0], t);
     const double high = exp2(fmin(t + h, 1.0) * L), low = exp2(fmax(t - h, 0.0) * L);
-    return fmax(high - lobe, lobe - low) + 38.1 * u * high * margin;
+    return fmax(high - lobe, lobe - low) + logarithm_read * high * margin;
 }
 
 static double (*const value_errors[TL_VALUE_CODE_COUNT])(const tl_attribute *, double) = {
@@ -498,7 +510,8 @@ static double worst_normal(const tl_camera *camera, enum tl_layout_name layout, 
     double worst = 0.0;
     if (a->code == TL_NORMAL_SPHEREMAP) {
         const double step =
-            4.0 * hypot(number_error(a->channels[0], 1.0), number_error(a->channels[1], 1.0));
+            4.0 * hypot(number_error(a->channels[0], 1.0), number_error(a->channels[1], 1.0)) +
+            2.0 * u;
         worst = spheremap_turn(fmin(2.0 * sin(0.5 * farthest), 2.0 - step), step);
     } else {
         worst = normal_errors[a->code](a, ones);
@@ -522,10 +535,16 @@ static double color_error(enum tl_layout_name layout, enum tl_plane first, doubl
     return worst;
 }
 
-/* The least error of an octave is as large as the greatest of the one before. */
+/* A logarithm's is a factor, whatever the exponent; a number's is the same all over an octave, so that it
+ * counts most where that begins. */
 static double worst_shininess(enum tl_layout_name layout)
 {
+    const tl_attribute *a = &tl_layouts[layout].shininess;
     double worst = 0.0;
+    if (a->code == TL_VALUE_LOGARITHM) {
+        const double h = number_error(a->channels[0], 1.0);
+        return exp2(h * TL_LOG2_MOST_LOBE) * (1.0 + logarithm_read * margin) - 1.0;
+    }
     for (double e = 1.0; e <= TL_MOST_SHININESS; e *= 2.0)
         worst = fmax(worst, plane_error(layout, TL_SHININESS, e * (1.0 + 0x1p-20)) / (1.0 + e));
     return worst;
@@ -533,19 +552,18 @@ static double worst_shininess(enum tl_layout_name layout)
 
 tl_layout_errors tl_layout_errors_of(const tl_camera *camera, enum tl_layout_name layout)
 {
-    const double most = 1.0 - 0x1p-20; /* colours of 1 are exact in some codes */
     return (tl_layout_errors){
         .depth_near = corner_error(camera, layout, (double)camera->near),
         .depth_far = corner_error(camera, layout, far_surface(camera)),
         .normal = worst_normal(camera, layout, 0.5 * pi),
         .any_normal = worst_normal(camera, layout, pi),
-        .albedo = color_error(layout, TL_ALBEDO_R, most),
-        .specular = color_error(layout, TL_SPECULAR_R, most),
+        .albedo = color_error(layout, TL_ALBEDO_R, 1.0),
+        .specular = color_error(layout, TL_SPECULAR_R, 1.0),
         .specular_is_gray = tl_layouts[layout].specular.code == TL_COLOR_GRAY,
         .shininess = worst_shininess(layout),
-        .metallic = plane_error(layout, TL_METALLIC, most),
-        .roughness = plane_error(layout, TL_ROUGHNESS, most),
-        .occlusion = plane_error(layout, TL_OCCLUSION, most),
-        .emissive = color_error(layout, TL_EMISSIVE_R, most),
+        .metallic = plane_error(layout, TL_METALLIC, 1.0),
+        .roughness = plane_error(layout, TL_ROUGHNESS, 1.0),
+        .occlusion = plane_error(layout, TL_OCCLUSION, 1.0),
+        .emissive = color_error(layout, TL_EMISSIVE_R, 1.0),
     };
 }

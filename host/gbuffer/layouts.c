@@ -48,15 +48,22 @@ uint32_t tl_layout_planes(enum tl_layout_name layout)
 
 tl_status tl_layout_suits(const tl_camera *camera, enum tl_layout_name layout, tl_error *err)
 {
-    const tl_u32 code = tl_layouts[layout].depth.code;
     const bool parallel = camera->projection == TL_ORTHOGRAPHIC;
-    if (!isinf(camera->far) || (TL_IS_NEARNESS(code) && !parallel) ||
-        (!TL_IS_NEARNESS(code) && code != TL_DEPTH_FRACTION))
+    tl_frame frame = {.tile_size = 0};
+    tl_view_set(camera, layout, &frame);
+    if (isfinite(frame.depth_slope) && isfinite(frame.depth_offset))
         return TL_OK;
+    if (isinf(camera->far))
+        return tl_fail(
+            err, TL_ERR_UNSUPPORTED,
+            "the depth of layout %s is a share of the way to the far plane, and this %s"
+            "camera's is infinitely far: choose a layout that stores metres, as float or "
+            "compact-16 do",
+            words[layout], parallel ? "orthographic " : "");
     return tl_fail(
         err, TL_ERR_UNSUPPORTED,
-        "the depth of layout %s is a share of the way to the far plane, and this %s"
-        "camera's is infinitely far: choose a layout that stores metres, as float or "
+        "the depth of layout %s cannot be told from numbers between a near plane at %g "
+        "m and a far plane at %g m: choose a layout that stores metres, as float or "
         "compact-16 do",
-        words[layout], parallel ? "orthographic " : "");
+        words[layout], (double)camera->near, (double)camera->far);
 }
