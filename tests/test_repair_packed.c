@@ -1,35 +1,13 @@
 /* Is every packed pixel safe to light once tl_gbuffer_repair has been through, whatever its words were,
  * and does no stored position lie farther off its ray than the slack says? */
-#include "frames.h"
-
-#include "packing.h"
-
-static const uint32_t wanted =
-    TL_GROUP_BASE | TL_GROUP_PHONG | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE;
-static const uint32_t wanted_metal =
-    TL_GROUP_BASE | TL_GROUP_METAL_ROUGH | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE;
+#include "packed_frames.h"
 
 enum { WIDTH = 37, HEIGHT = 23 };
 
-/* Of the planes that the layout has a place for; Phong where it can. */
 static tl_gbuffer *random_packed(enum tl_layout_name layout, tl_projection projection)
 {
-    const uint32_t can = tl_layout_planes(layout);
     const tl_camera camera = camera_of(WIDTH, HEIGHT, projection);
-    tl_gbuffer *from = random_gbuffer(&camera, can & TL_GROUP_PHONG ? wanted : wanted_metal, 8);
-    tl_gbuffer *packed = NULL;
-    tl_packing_report report;
-    tl_error err;
-    ASSERT_OK(tl_gbuffer_repair(from, "random", false, NULL, &err), err);
-    ASSERT_OK(tl_gbuffer_pack(from, layout, &packed, &report, &err), err);
-    assert_int_equal(report.lost, 0);
-    tl_gbuffer_destroy(from);
-    return packed;
-}
-
-static size_t bytes_of(const tl_gbuffer *g)
-{
-    return (size_t)g->pitch * g->rows * tl_gbuffer_pixel_size(g);
+    return packed_gbuffer(&camera, layout, 8); /* with that the faulty pixel is no sky */
 }
 
 /* Of what the unpacked frame says; by the table of planes.h. */
@@ -68,12 +46,12 @@ static void good_frames_stay(void **state)
         for (int projection = 0; projection < 2; projection++) {
             tl_gbuffer *g =
                 random_packed((enum tl_layout_name)layout, (tl_projection)projection);
-            unsigned char *before = malloc(bytes_of(g));
+            unsigned char *before = malloc(gbuffer_bytes(g));
             tl_error err;
             assert_non_null(before);
-            memcpy(before, g->planes, bytes_of(g));
+            memcpy(before, g->planes, gbuffer_bytes(g));
             ASSERT_OK(tl_gbuffer_repair(g, "good", true, NULL, &err), err);
-            assert_memory_equal(before, g->planes, bytes_of(g));
+            assert_memory_equal(before, g->planes, gbuffer_bytes(g));
             assert_safe(g, tl_layout_word(g->layout));
             free(before);
             tl_gbuffer_destroy(g);
@@ -96,15 +74,6 @@ static const struct {
     {"ao", offsetof(tl_layout, occlusion), TL_HAS(TL_OCCLUSION)},
     {"emissive", offsetof(tl_layout, emissive), TL_HAS(TL_EMISSIVE_R)},
 };
-
-static void set_bits(tl_gbuffer *g, size_t at, tl_channel c, uint32_t bits)
-{
-    const tl_word_planes planes = tl_word_planes_of(g);
-    const uint32_t ones = c.bits == 32 ? ~0u : (1u << c.bits) - 1u;
-    tl_words words = tl_words_at(&planes, at);
-    words.of[c.word] = (words.of[c.word] & ~(ones << c.shift)) | (bits & ones) << c.shift;
-    tl_words_put(&planes, at, words);
-}
 
 /* In the bits of a float without its sign and last 7 bits, of a float, and of a half. */
 static const uint32_t not_numbers[] = {
@@ -151,19 +120,17 @@ static void a_number_that_is_none_is_found_and_named(void **state)
                              k, minus ? ", negative" : "");
                     if (attribute->code && c.bits > 0 && c.number <= TL_NUMBER_FLOAT24 &&
                         (g->present & attributes[a].planes)) {
-                        set_bits(g, FAULTY_Y * (size_t)g->pitch + FAULTY_X, c,
-                                 (minus ? minus_infinities : not_numbers)[c.number]);
+                        set_channel_bits(g, FAULTY_Y * (size_t)g->pitch + FAULTY_X, c,
+                                         (minus ? minus_infinities : not_numbers)[c.number]);
                         assert_fault_is_found(g, attributes[a].name, what);
                     }
                     tl_gbuffer_destroy(g);
                 }
 }
 
-/* Bits at random, which are every fault there is; twice, for what was repaired needs no repair, but
- * for normals, of which "none" counts every time. */
+/* Twice, for what was repaired needs no repair; but of normals "none" counts every time. */
 static void any_bits_become_safe(void **state)
 {
-    uint32_t seed = 41;
     (void)state;
     for (int layout = 0; layout < TL_LAYOUT_COUNT; layout++)
         for (int projection = 0; projection < 2; projection++) {
@@ -171,11 +138,7 @@ static void any_bits_become_safe(void **state)
                 random_packed((enum tl_layout_name)layout, (tl_projection)projection);
             tl_repairs repairs;
             tl_error err;
-            for (size_t i = 0; i < bytes_of(g) / 4; i++) {
-                uniform(&seed, 0.0f, 1.0f);
-                memcpy(g->planes + 4 * i, &seed, 4);
-            }
-            ASSERT_OK(tl_gbuffer_repair(g, "bits", false, NULL, &err), err);
+            scramble(g, 41);
             assert_safe(g, tl_layout_word(g->layout));
             ASSERT_OK(tl_gbuffer_repair(g, "bits", false, &repairs, &err), err);
             assert_int_equal(repairs.depth, 0);
@@ -227,19 +190,6 @@ static void measure_slack(const tl_gbuffer *g, double most[2])
         }
 }
 
-/* A bit of every y is flipped that stands for a sixteenth of it or more. */
-static void move_positions(tl_gbuffer *g)
-{
-    const tl_channel c = tl_layouts[g->layout].depth.channels[1];
-    const tl_word_planes planes = tl_word_planes_of(g);
-    for (uint32_t y = 0; y < HEIGHT; y++)
-        for (uint32_t x = 0; x < WIDTH; x++) {
-            const size_t at = (size_t)y * g->pitch + x;
-            const uint32_t bits = tl_words_at(&planes, at).of[c.word] >> c.shift;
-            set_bits(g, at, c, bits ^ 1u << (c.number == TL_NUMBER_HALF ? 7 : 20));
-        }
-}
-
 /* 1e-5 m or so is what float loses of a point 5 m away, and more than that nobody may be off. */
 static void assert_slack_holds(const tl_gbuffer *g)
 {
@@ -260,13 +210,11 @@ static void slack_holds_every_position(void **state)
         for (int projection = 0; projection < 2; projection++) {
             tl_gbuffer *g =
                 random_packed((enum tl_layout_name)layout, (tl_projection)projection);
-            tl_error err;
             if (!TL_IS_POSITION(tl_layouts[layout].depth.code)) {
                 assert_true(same_bits(g->slack_x, 0.0f) && same_bits(g->slack_y, 0.0f));
             } else {
                 assert_slack_holds(g);
-                move_positions(g);
-                ASSERT_OK(tl_gbuffer_repair(g, "moved", false, NULL, &err), err);
+                move_positions(g, 3);
                 assert_slack_holds(g);
                 assert_true(g->slack_y > 0.01f);
             }
