@@ -16,11 +16,11 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-enum { OPTION_BANDWIDTH = 256, OPTION_SIZE, OPTION_DEVICE };
+enum { OPTION_BANDWIDTH = 256, OPTION_DEPTH, OPTION_SIZE, OPTION_DEVICE };
 
 typedef struct layouts_command {
     const char *name; /* NULL: all */
-    bool bandwidth, size_given;
+    bool bandwidth, depth, size_given;
     uint32_t width, height; /* px */
     const char *device;
     report_options report;
@@ -30,6 +30,9 @@ static void check_together(const layouts_command *options, struct argp_state *st
 {
     if (!options->bandwidth && (options->size_given || options->device))
         argp_error(state, "--size and --device are for --bandwidth");
+    if (options->depth && (options->bandwidth || options->name))
+        argp_error(state, "--depth compares ways to store depth: neither NAME nor --bandwidth "
+                          "goes with it");
 }
 
 static error_t parse(int key, char *text, struct argp_state *state)
@@ -38,6 +41,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
     switch (key) {
     case ARGP_KEY_INIT: state->child_inputs[0] = &options->report; return 0;
     case OPTION_BANDWIDTH: options->bandwidth = true; return 0;
+    case OPTION_DEPTH: options->depth = true; return 0;
     case OPTION_SIZE:
         value_size(state, "--size", text, &options->width, &options->height);
         options->size_given = true;
@@ -58,6 +62,11 @@ static const struct argp_option options_table[] = {
      "The bytes that layouts move: by the model of ShaderX2 (Thibieroz, 2003), as counted of "
      "our "
      "passes, and what they cost as measured, in about a minute for all",
+     0},
+    {"depth", OPTION_DEPTH, NULL, 0,
+     "What each way to store depth loses, from near to far: stored, read as kernels do, and "
+     "read "
+     "by the textbook's form",
      0},
     {"size", OPTION_SIZE, "WIDTHxHEIGHT", 0,
      "With --bandwidth: the picture that is measured (default 1920x1080)", 0},
@@ -131,6 +140,18 @@ static tl_status measure(
 }
 #endif
 
+static tl_status report_depths(const layouts_command *options, tl_error *err)
+{
+    tl_status status = TL_OK;
+    json_t *report = NULL;
+    if (!options->report.json)
+        return depths_print(err);
+    TRY(depths_json(&report, err));
+    TRY(tl_json_write("-", report, err));
+done:
+    return status;
+}
+
 static tl_status report_json(const layouts_command *options, selection of, tl_error *err)
 {
     tl_status status = TL_OK;
@@ -154,7 +175,9 @@ static tl_status run(const layouts_command *options, tl_error *err)
     selection of = {TL_LAYOUT_FLOAT, TL_LAYOUT_COUNT};
     tl_status status = TL_OK;
     TRY(select_layouts(options, &of, err));
-    if (options->report.json) {
+    if (options->depth) {
+        TRY(report_depths(options, err));
+    } else if (options->report.json) {
         TRY(report_json(options, of, err));
     } else if (options->bandwidth) {
         bandwidth_print(of.first, of.end);

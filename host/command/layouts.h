@@ -36,4 +36,9 @@ json_t *layout_json(enum tl_layout_name layout);
 void layout_print_details(enum tl_layout_name layout);
 json_t *layout_words_json(enum tl_layout_name layout);
 
+/* What depths lose at some distances: a layout for each way to store one. May fail as
+ * tl_depth_loss_find does; *out is released by the caller. */
+tl_status depths_print(tl_error *err);
+tl_status depths_json(json_t **out, tl_error *err);
+
 #endif
