@@ -15,12 +15,21 @@
  *
  * one fma and one division; sky is q <= 0, and no surface is written there. That is "Deferred Shading
  * Tricks"' 1/depth = d/P34 + P33/P34 moved to its other end. Theirs adds terms of opposite sign, so
- * that far away it keeps u far/near of the result's digits; here q is exact (1 - d is, from 1/2 on) and
- * nothing cancels: 3u of the depth, u = 2^-24, beside what d has lost when it was stored:
+ * what rounding them leaves far away is u far/near of the depth; here nothing cancels:
  *
- *     |error| <= (h + 3u) depth, h = |dq| depth (1/near - 1/far),
+ *     |error| <= (h + r + 3u) depth, h = |dq| depth (1/near - 1/far), u = 2^-24.
  *
- * dq half a step of d. Under an orthographic camera depth = far - q (far - near). */
+ *   1. dq is what q has lost when its number was stored: half a step of it, and where half a step would be
+ *      sky, the whole one that keeps a surface from it.
+ *   2. r is what reading q adds: 0 reversed, u of 1 - d and (1 - d)/2 (exact from d = 1/2 on: Sterbenz),
+ *      2u of whole numbers, (most - raw) step: the step is rounded, and the product.
+ *   3. Slope and offset are rounded once each, and both terms are positive: u of their sum. The fma and
+ *      the division: u each. (A device that does not round divisions correctly: 5u in place of that u.)
+ *
+ * Where h is not small, 1/depth is off by h/depth. Under an orthographic camera depth = far - q (far -
+ * near), off by (|dq| + (r + u) q) (far - near) + u |depth|, far being exact; a fraction by
+ * 2u |depth - near| + u |depth|. Asserted by tests/test_position_from_depth.c, where the textbook form
+ * fails. */
 #ifndef TL_DEPTH_CODE_H
 #define TL_DEPTH_CODE_H
 

@@ -1,15 +1,19 @@
 /* Unit vectors in two or three numbers.
  *
- *   xyz         the three components. Numbers of few bits cannot say 0, so what is shorter than
- *               1/2 reads as no normal; a float of any length is a direction.
+ *   xyz         the three components, each off by half a step: sqrt(3) of that in rad at most. Numbers of
+ *               few bits cannot say 0, so what is shorter than 1/2 reads as no normal; a float of any
+ *               length is a direction.
  *   octahedron  the octahedron |x| + |y| + |z| = 1, its lower half folded over its upper one: Meyer,
  *               Suessmuth, Sussner, Stamminger, Greiner, "On Floating-Point Normal Vectors", EGSR 2010,
- *               section 3. No normal: the first number is its format's "none".
+ *               section 3. Of the four numbers around, the nearest is written: sqrt(2) steps in rad at
+ *               most, in the middle of a face. No normal: the first number is its format's "none".
  *   spheremap   Lambert's azimuthal equal-area map, (e - 1/2) 4 = (x, y) sqrt(2 / (1 + z)), z towards
- *               the eye; of the ISPC project's deferred shading example. Coarse near -z, the edge of its
- *               disk. No normal: e = (0, 0), far outside of the disk.
+ *               the eye; of the ISPC project's deferred shading example. A step s of (x, y) is s/cos(t/2) rad, t the
+ *               angle from the axis: 1.4 s across the view, 2 sqrt(s) at -z, the edge of its disk,
+ *               where half floats are 4 degrees off. No normal: e = (0, 0), far outside of the disk.
  *
- * Reading gives a direction of length 1/2 or more, or 0: whoever reads makes it unit. The writing of
+ * host/gbuffer/error_bounds.c derives these. Reading gives a direction of length 1/2 or more (of floats,
+ * any), or 0: whoever reads makes it unit. The writing of
  * each is in the common subset of C and GLSL (no casts, no pointers), for the geometry pass. */
 #ifndef TL_NORMAL_CODE_H
 #define TL_NORMAL_CODE_H

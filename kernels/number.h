@@ -1,16 +1,19 @@
 /* How a number stands in the bits of a packed pixel: one row a format, each with its error.
  *
  *   float     IEEE 754 binary32. Exact.
- *   half      IEEE 754 binary16, rounded to nearest: 2^-11 of the value, 2^-25 below 2^-14. Values are
- *             cut at 65504; what is not finite reads as 65536 or more.
- *   float24   binary32 without sign and the last 7 bits: 2^-17 of the value. Infinity stays.
+ *   half      IEEE 754 binary16, rounded to float and then to nearest: 2^-11 of the value, 2^-25 below
+ *             2^-14, and 2^-13 of that. Values are cut at 65504; what is not finite reads as 65536 or
+ *             more. Read exactly, but as 0 below 2^-14 by a device that flushes denormal floats.
+ *   float24   binary32 without sign and the last 7 bits, rounded alike: 2^-17 of the value. Infinity
+ *             stays; values below 0 are cut.
  *   unorm     a whole number over 2^bits - 1: half a step.
  *   snorm     a signed whole number over 2^(bits - 1) - 1: half a step. The least number, which no value
  *             needs, means "none" (OpenGL 4.6, 2.3.5.1, reads it as -1).
  *   bytes24   unorm of 24 bits, its highest byte first in memory, as red of RGB.
  *
- * Reading a unorm or snorm multiplies by the rounded step: 1.5u more, u = 2^-24; 0 and, up to 16 bits,
- * both ends are exact. Writing is the host's, in double; OpenGL's targets round by themselves. */
+ * Reading a unorm or snorm multiplies by the rounded step: 2u of the value more, at most 1.5u,
+ * u = 2^-24; 0 and both ends are exact (tests/test_number_formats.c). Writing is the host's, in double;
+ * OpenGL's targets round by themselves. */
 #ifndef TL_NUMBER_H
 #define TL_NUMBER_H
 
@@ -35,7 +38,7 @@ TL_INLINE word32 field_of(word32 w, tl_u32 shift, tl_u32 bits)
     return bits == 32u ? w : (w >> shift) & ((1u << bits) - 1u);
 }
 
-/* The largest number of a field, as it counts: 2^bits - 1. */
+/* Of whole numbers up to 2^bits - 1, and of signed ones. */
 TL_INLINE scalar unorm_step(tl_u32 bits)
 {
     return R(1.0) / (scalar)((1u << bits) - 1u);
