@@ -27,6 +27,9 @@
 #    define LANE_ROW ((real)0)
 #endif
 
+/* The smallest tile has 8 x 8 pixels, and the others are multiples of it. */
+TL_STATIC_ASSERT(8 % BLOCK_COLUMNS == 0 && 8 % BLOCK_ROWS == 0, tiles_are_whole_blocks);
+
 /* Asks for the line at a global address, to be read (0) or written (1). OpenCL's prefetch() does
  * nothing on PoCL; where all address spaces are one, the compiler's own works. */
 #if defined(__clang__) && (defined(__x86_64__) || defined(__aarch64__))

@@ -22,7 +22,7 @@ typedef struct tl_frame {
     tl_rays rays;
     float view_from_world[3][4]; /* a rotation; column 3 a translation, m */
     float ambient[3];            /* linear Rec. 709 */
-    tl_u32 tile_size;            /* px: 8, 16, 32 or 64, at least the vector width */
+    tl_u32 tile_size;            /* px: 8, 16, 32 or 64 */
     float sky[3];                /* radiance where nothing was hit */
     tl_u32 box_count;            /* boxes per tile that lights are tested against: 0 to 2 */
     tl_u32 pitch, rows;          /* px; the planes are [rows][pitch] */

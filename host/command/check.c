@@ -6,6 +6,7 @@
 #include "job_light.h"
 #include "json_values.h"
 #include "kernel_options.h"
+#include "tilelight/layouts.h"
 #include "try.h"
 #include "values.h"
 
@@ -216,6 +217,22 @@ done:
     return status;
 }
 
+/* What is checked is full float, whatever the file holds: a user's kernel gets nothing else, and the
+ * reference is of it. */
+static tl_status unpack(job *j, const char *name, tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_gbuffer *packed = j->gbuffer;
+    if (packed->layout == TL_LAYOUT_FLOAT)
+        return TL_OK;
+    tl_notice(&console_notices, "%s is of layout %s: it is unpacked, and checked in full float",
+              name, tl_layout_word(packed->layout));
+    TRY(tl_gbuffer_unpack(packed, &j->gbuffer, err));
+    tl_gbuffer_destroy(packed);
+done:
+    return status;
+}
+
 /* The frame at `position` of those that were asked for. The job's G-buffer moves into it. */
 static tl_status take_frame(const check_command *options,
                             job *j,
@@ -228,6 +245,7 @@ static tl_status take_frame(const check_command *options,
     tl_status status = TL_OK;
     if (options->gbuffer) {
         TRY(job_read(j, options->gbuffer, options->lighting.strict, err));
+        TRY(unpack(j, options->gbuffer, err));
         TRY(job_default_lights(j, err));
         *frame = (tl_checked_frame){.gbuffer = j->gbuffer,
                                     .lights = j->lights,

@@ -2,7 +2,9 @@
 
 #include "console.h"
 #include "json_values.h"
+#include "pass_bytes.h"
 #include "tilelight/gbuffer_file.h"
+#include "tilelight/layouts.h"
 #include "try.h"
 
 #include <inttypes.h>
@@ -49,6 +51,13 @@ bool job_has_lights(const job *j)
     return any;
 }
 
+/* Bytes of a pixel that culling reads. */
+static uint32_t position_bytes(const tl_gbuffer *gbuffer)
+{
+    const tl_pass_words words = tl_pass_words_of(gbuffer->layout, gbuffer->present, false);
+    return tl_words_size(gbuffer->layout, words.positions);
+}
+
 tl_status job_repair(job *j, const char *name, bool strict, tl_error *err)
 {
     const double start = tl_seconds();
@@ -66,6 +75,10 @@ tl_status job_repair(job *j, const char *name, bool strict, tl_error *err)
     job_report(
         j, "size",
         json_pack("[ii]", (int)j->gbuffer->camera.width, (int)j->gbuffer->camera.height));
+    job_report(j, "layout", json_string(tl_layout_word(j->gbuffer->layout)));
+    job_report(j, "pixel_bytes",
+               json_pack("{sI sI}", "all", (json_int_t)tl_gbuffer_pixel_size(j->gbuffer),
+                         "position", (json_int_t)position_bytes(j->gbuffer)));
     job_report(j, "repairs",
                json_pack("{sI sI sI}", "depth", (json_int_t)r->depth, "normal",
                          (json_int_t)r->normal, "value", (json_int_t)r->value));
@@ -155,6 +168,11 @@ static void print_timings(const job *j)
                 j->first_kernel_ms);
     if (j->shade_processors > 0.0)
         fprintf(stderr, "%-12s %10.2f processors busy in shading\n", "", j->shade_processors);
+    if (j->image)
+        fprintf(stderr,
+                "%-12s %10" PRIu32 " bytes a pixel, %" PRIu32 " of them its position; %s\n",
+                "layout", tl_gbuffer_pixel_size(j->gbuffer), position_bytes(j->gbuffer),
+                tl_layout_word(j->gbuffer->layout));
 }
 
 static json_t *timings_as_json(const tl_timings *timings)

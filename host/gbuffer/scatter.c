@@ -2,6 +2,7 @@
  * library whose last bit could differ from machine to machine. */
 #include "tilelight/scatter.h"
 
+#include "tilelight/layouts.h"
 #include "try.h"
 
 #include <math.h>
@@ -353,12 +354,15 @@ tl_status tl_scatter(const tl_gbuffer *gbuffer,
 {
     tl_status status = TL_OK;
     const size_t count_before = lights->count;
+    tl_gbuffer *unpacked = NULL;
     surfaces s = {0};
     point *feet = NULL;
     size_t *pixels = NULL;
 
     TRY(check_options(options, err));
-    TRY(find_surfaces(&s, gbuffer, err));
+    if (gbuffer->layout != TL_LAYOUT_FLOAT)
+        TRY(tl_gbuffer_unpack(gbuffer, &unpacked, err));
+    TRY(find_surfaces(&s, unpacked ? unpacked : gbuffer, err));
     feet = malloc(options->count * sizeof *feet);
     pixels = malloc(options->count * sizeof *pixels);
     if (!feet || !pixels)
@@ -372,5 +376,6 @@ done:
     free(pixels);
     free(feet);
     free(s.visible);
+    tl_gbuffer_destroy(unpacked);
     return status;
 }

@@ -2,6 +2,7 @@
 
 #include "bands.h"
 #include "reference.h"
+#include "tilelight/layouts.h"
 #include "try.h"
 
 #include <stdio.h>
@@ -13,6 +14,7 @@ struct tl_lighting {
     tl_lighting_options options;
     tl_prepared prepared;
     tl_buffers buffers;
+    tl_gbuffer *unpacked; /* of the last frame, where a user's kernel lit a packed one */
 };
 
 static const struct {
@@ -105,6 +107,7 @@ void tl_lighting_destroy(tl_lighting *lighting)
     if (!lighting)
         return;
     tl_buffers_release(&lighting->buffers);
+    tl_gbuffer_destroy(lighting->unpacked);
     tl_prepared_clear(&lighting->prepared);
     free(lighting);
 }
@@ -122,8 +125,8 @@ static tl_kernel_options kernel_options(const tl_lighting *lighting)
     const int by_pixel = is_by_pixel(lighting->device, o);
     if (width == 2 || by_pixel)
         width = 1;
-    if (width > o->tile_size)
-        width = o->tile_size; /* a vector never straddles two tiles */
+    if (o->kernel.text && width > o->tile_size)
+        width = o->tile_size; /* a user's kernel may take a run of a row's pixels as a vector */
     return (tl_kernel_options){.width = width,
                                .by_pixel = (uint32_t)by_pixel,
                                .real_double = (uint32_t)is_double,
@@ -184,6 +187,29 @@ void tl_lighting_build_options(const tl_lighting *lighting, char *text, size_t s
     free(options);
 }
 
+/* What is lit in place of *gbuffer, which becomes it: users' kernels know full float alone. *before is
+ * the one that device buffers may still be of, until the frame is lit. */
+static tl_status unpack_for_user(tl_lighting *lighting,
+                                 const tl_gbuffer **gbuffer,
+                                 tl_gbuffer **before,
+                                 tl_timings *timings,
+                                 tl_error *err)
+{
+    const tl_lighting_options *options = &lighting->options;
+    const double clock = tl_seconds();
+    tl_status status = TL_OK;
+    tl_gbuffer *made = NULL;
+    if (!options->kernel.text || precisions[options->precision].on_host ||
+        (*gbuffer)->layout == TL_LAYOUT_FLOAT)
+        return TL_OK;
+    TRY(tl_gbuffer_unpack(*gbuffer, &made, err));
+    *before = lighting->unpacked;
+    *gbuffer = lighting->unpacked = made;
+    tl_timings_end(timings, "unpack", clock);
+done:
+    return status;
+}
+
 /* What is known before a light is listed. */
 static tl_lighting_counts counts_of(const tl_prepared *prepared)
 {
@@ -208,13 +234,15 @@ tl_status tl_lighting_run(tl_lighting *lighting,
     const tl_lighting_options *options = &lighting->options;
     tl_status status = TL_OK;
     tl_lighting_counts frame_counts;
-    double clock = tl_seconds();
+    tl_gbuffer *before = NULL;
 
     if (image->pitch != gbuffer->pitch || image->rows != gbuffer->rows)
         TRY(tl_fail(
             err, TL_ERR_ARGUMENT,
             "the image is %u x %u pixels, the G-buffer %u x %u: they must be of one size",
             image->width, image->height, gbuffer->camera.width, gbuffer->camera.height));
+    TRY(unpack_for_user(lighting, &gbuffer, &before, timings, err));
+    double clock = tl_seconds();
     TRY(tl_prepare(gbuffer, lights, options->tile_size, box_counts[options->cull],
                    options->light_cutoff, notices, &lighting->prepared, err));
     clock = tl_timings_end(timings, "prepare", clock);
@@ -233,5 +261,6 @@ tl_status tl_lighting_run(tl_lighting *lighting,
     if (counts)
         *counts = frame_counts;
 done:
+    tl_gbuffer_destroy(before);
     return status;
 }

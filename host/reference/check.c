@@ -2,13 +2,15 @@
 
 #include "allowance.h"
 #include "parallel.h"
+#include "tilelight/layouts.h"
 #include "try.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 struct tl_check {
-    const tl_gbuffer *gbuffer;
+    const tl_gbuffer *gbuffer; /* in full float */
+    tl_gbuffer *unpacked;      /* that, where it had to be made; or NULL */
     tl_prepared prepared;
     tl_cosine cosine;
     float *planes[TL_PLANE_COUNT]; /* the G-buffer's */
@@ -26,11 +28,14 @@ tl_status tl_check_create(const tl_gbuffer *gbuffer,
     tl_check *made = calloc(1, sizeof *made);
     if (!made)
         TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for a check"));
-    made->gbuffer = gbuffer;
+    if (gbuffer->layout != TL_LAYOUT_FLOAT)
+        TRY(tl_gbuffer_unpack(gbuffer, &made->unpacked, err));
+    made->gbuffer = made->unpacked ? made->unpacked : gbuffer;
     made->cosine = cosine;
     for (int p = 0; p < TL_PLANE_COUNT; p++)
-        made->planes[p] = tl_gbuffer_plane(gbuffer, (enum tl_plane)p);
-    TRY(tl_prepare(gbuffer, lights, ANY_TILE, 0, light_cutoff, NULL, &made->prepared, err));
+        made->planes[p] = tl_gbuffer_plane(made->gbuffer, (enum tl_plane)p);
+    TRY(tl_prepare(made->gbuffer, lights, ANY_TILE, 0, light_cutoff, NULL, &made->prepared,
+                   err));
     *out = made;
     made = NULL;
 done:
@@ -43,6 +48,7 @@ void tl_check_destroy(tl_check *check)
     if (!check)
         return;
     tl_prepared_clear(&check->prepared);
+    tl_gbuffer_destroy(check->unpacked);
     free(check);
 }
 

@@ -156,8 +156,9 @@ tl_status tl_lighting_create(tl_device *device,
 /* Accepts NULL. */
 void tl_lighting_destroy(tl_lighting *lighting);
 
-/* Lights one frame that tl_gbuffer_repair has been through. *image has the G-buffer's size and is
- * written in full. Compiles kernels where the scene needs ones it has not needed before; allocates
+/* Lights one frame, of any layout, that tl_gbuffer_repair has been through. *image has the G-buffer's
+ * size and is written in full. A user's kernel is given full float: for it a packed frame is unpacked
+ * first, anew for every frame. Compiles kernels where the scene needs ones it has not needed before; allocates
  * only where a frame is larger, or has more lights, than every one before. A frame that does not
  * fit memory_limit is lit in bands of tile rows, with the same bits. timings, notices, counts may
  * be NULL. Fails with TL_ERR_ARGUMENT (sizes differ; one row of tiles is beyond memory_limit),

@@ -23,8 +23,8 @@ typedef struct tl_scatter_options {
 /* 1024 lights, seed 1, overlap 12, linear. */
 tl_scatter_options tl_scatter_options_default(void);
 
-/* Adds point lights, spread evenly over the visible surfaces of a repaired G-buffer, the same for the
- * same seed on every machine. Fails with TL_ERR_ARGUMENT (a frame that is all sky, options out of
+/* Adds point lights, spread evenly over the visible surfaces of a repaired G-buffer of any layout, the
+ * same for the same seed on every machine. Fails with TL_ERR_ARGUMENT (a frame that is all sky, options out of
  * range) or TL_ERR_MEMORY. */
 tl_status tl_scatter(const tl_gbuffer *gbuffer,
                      const tl_scatter_options *options,
