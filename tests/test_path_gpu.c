@@ -1,7 +1,7 @@
 /* Does the path for GPUs make the lists and the pictures of the path for CPUs, bit for bit?
  *
  * On whatever device there is: PoCL runs work-groups with barriers as well. */
-#include "frames.h"
+#include "packed_frames.h"
 
 #include "kernel_program.h"
 #include "passes.h"
@@ -12,25 +12,48 @@ static const struct {
     uint32_t width, height;
     tl_projection projection;
     uint32_t tile_size, light_count;
-    float range; /* m, at most */
-    float sky;   /* share of the columns that are all sky, from the left */
+    float range;                /* m, at most */
+    float sky;                  /* share of the columns that are all sky, from the left */
+    enum tl_layout_name layout; /* of stored positions: they are off their rays */
 } cases[] = {
-    {"no light", 40, 30, TL_PERSPECTIVE, 16, 0, 1.0f, 0.0f},
-    {"one pixel, one light", 1, 1, TL_PERSPECTIVE, 8, 1, 9.0f, 0.0f},
-    {"as many lights as a group has work-items", 40, 30, TL_PERSPECTIVE, 16, 64, 1.0f, 0.0f},
-    {"one more", 40, 30, TL_ORTHOGRAPHIC, 16, 65, 1.0f, 0.0f},
-    {"all lights on all tiles", 61, 40, TL_PERSPECTIVE, 32, 300, 30.0f, 0.0f},
-    {"a column of pixels", 1, 130, TL_PERSPECTIVE, 8, 500, 1.0f, 0.0f},
-    {"a row of pixels", 300, 1, TL_ORTHOGRAPHIC, 8, 500, 1.0f, 0.0f},
-    {"tiles of nothing but sky", 130, 40, TL_PERSPECTIVE, 16, 500, 1.0f, 0.5f},
-    {"nothing but sky", 40, 30, TL_PERSPECTIVE, 16, 100, 1.0f, 1.0f},
-    {"tiles larger than the image", 40, 30, TL_PERSPECTIVE, 64, 500, 1.0f, 0.0f},
-    {"cells, more than one in both ways", 140, 90, TL_PERSPECTIVE, 8, 5000, 0.3f, 0.2f},
-    {"cells, one", 40, 30, TL_ORTHOGRAPHIC, 16, 6000, 0.2f, 0.0f},
-    {"cells, long lists", 70, 70, TL_PERSPECTIVE, 8, 4500, 1.5f, 0.0f},
+    {"no light", 40, 30, TL_PERSPECTIVE, 16, 0, 1.0f, 0.0f, TL_LAYOUT_FLOAT},
+    {"one pixel, one light", 1, 1, TL_PERSPECTIVE, 8, 1, 9.0f, 0.0f, TL_LAYOUT_FLOAT},
+    {"as many lights as a group has work-items", 40, 30, TL_PERSPECTIVE, 16, 64, 1.0f, 0.0f,
+     TL_LAYOUT_FLOAT},
+    {"one more", 40, 30, TL_ORTHOGRAPHIC, 16, 65, 1.0f, 0.0f, TL_LAYOUT_FLOAT},
+    {"all lights on all tiles", 61, 40, TL_PERSPECTIVE, 32, 300, 30.0f, 0.0f, TL_LAYOUT_FLOAT},
+    {"a column of pixels", 1, 130, TL_PERSPECTIVE, 8, 500, 1.0f, 0.0f, TL_LAYOUT_FLOAT},
+    {"a row of pixels", 300, 1, TL_ORTHOGRAPHIC, 8, 500, 1.0f, 0.0f, TL_LAYOUT_FLOAT},
+    {"tiles of nothing but sky", 130, 40, TL_PERSPECTIVE, 16, 500, 1.0f, 0.5f, TL_LAYOUT_FLOAT},
+    {"nothing but sky", 40, 30, TL_PERSPECTIVE, 16, 100, 1.0f, 1.0f, TL_LAYOUT_FLOAT},
+    {"tiles larger than the image", 40, 30, TL_PERSPECTIVE, 64, 500, 1.0f, 0.0f,
+     TL_LAYOUT_FLOAT},
+    {"cells, more than one in both ways", 140, 90, TL_PERSPECTIVE, 8, 5000, 0.3f, 0.2f,
+     TL_LAYOUT_FLOAT},
+    {"cells, one", 40, 30, TL_ORTHOGRAPHIC, 16, 6000, 0.2f, 0.0f, TL_LAYOUT_FLOAT},
+    {"cells, long lists", 70, 70, TL_PERSPECTIVE, 8, 4500, 1.5f, 0.0f, TL_LAYOUT_FLOAT},
+    {"positions in view space", 61, 40, TL_PERSPECTIVE, 16, 300, 1.0f, 0.1f,
+     TL_LAYOUT_MERLIN_POSITION},
+    {"positions in world space", 61, 40, TL_ORTHOGRAPHIC, 8, 300, 1.0f, 0.0f,
+     TL_LAYOUT_SHADERX2_96},
+    {"words of one byte", 61, 40, TL_PERSPECTIVE, 16, 300, 1.0f, 0.1f, TL_LAYOUT_ISPC},
 };
 
 enum { WITH_CELLS = 10 }; /* the case of more than one cell */
+
+/* Takes g. */
+static tl_gbuffer *in_layout(tl_gbuffer *g, enum tl_layout_name layout)
+{
+    tl_gbuffer *packed = NULL;
+    tl_error err;
+    if (layout == TL_LAYOUT_FLOAT)
+        return g;
+    ASSERT_OK(tl_gbuffer_repair(g, "random", false, NULL, &err), err);
+    ASSERT_OK(tl_gbuffer_pack(g, layout, &packed, NULL, &err), err);
+    tl_gbuffer_destroy(g);
+    move_positions(packed, 5);
+    return packed;
+}
 
 static tl_gbuffer *frame_of_case(size_t i)
 {
@@ -45,7 +68,7 @@ static tl_gbuffer *frame_of_case(size_t i)
             else if ((x + y) % 3 == 0)
                 depths[at] *= 2.0f; /* tiles that two boxes bound */
         }
-    return g;
+    return in_layout(g, cases[i].layout);
 }
 
 static void lights_of_case(size_t i, const tl_gbuffer *g, tl_light_set *lights)
@@ -97,7 +120,7 @@ static lists cull(const tl_device *device,
                          .frame = prepared->frame,
                          .by_pixel = by_pixel};
     const size_t lights_size = prepared->frame.light_count * sizeof(tl_view_light);
-    const size_t planes_size = (size_t)__builtin_popcount(g->present) * g->rows * g->pitch * 4;
+    const size_t planes_size = gbuffer_bytes(g);
     tl_list_lengths lengths;
     double ms = 0.0;
     tl_error err;
@@ -157,11 +180,11 @@ static void lists_are_the_same(void **state)
                                  &prepared, &err),
                       err);
             for (size_t way = 0; way < COUNT_OF(ways); way++) {
-                const uint32_t tile = cases[i].tile_size;
-                const uint32_t width = ways[way].by_pixel ? 1 : widest < tile ? widest : tile;
+                const uint32_t width = ways[way].by_pixel ? 1 : widest;
                 const tl_kernel_options options = {.width = width,
                                                    .by_pixel = (uint32_t)ways[way].by_pixel,
                                                    .orthographic = prepared.needs.orthographic,
+                                                   .layout = prepared.needs.layout,
                                                    .present = prepared.needs.present,
                                                    .specular = prepared.needs.specular,
                                                    .falloffs = prepared.needs.falloffs};
