@@ -8,7 +8,6 @@
 #include "packed_frames.h"
 
 #include "device.h"
-#include "float_position.h"
 #include "prepared.h"
 #include "reach.h"
 #include "reference.h"
@@ -70,12 +69,12 @@ static tl_gbuffer *frame_of(size_t i, enum tl_layout_name layout, tl_projection 
 }
 
 /* At where float kernels see pixels, and around; the range of each ends at the pixel to the last bit, or
- * one ulp behind it. Some reach everything. */
+ * one ulp behind it. */
 static void light_the_pixels(const tl_gbuffer *g, tl_light_set *lights)
 {
     const tl_word_planes planes = tl_word_planes_of(g);
     tl_prepared prepared = {0};
-    float at[LIGHT_COUNT][3];
+    vec3 at[LIGHT_COUNT];
     uint32_t seed = 20110901;
     tl_error err;
     ASSERT_OK(tl_prepare(g, lights, 16, 1, 0.0f, NULL, &prepared, &err), err);
@@ -85,9 +84,12 @@ static void light_the_pixels(const tl_gbuffer *g, tl_light_set *lights)
         const tl_words words = tl_words_at(&planes, (size_t)y * g->pitch + x);
         tl_light light = tl_light_default();
         double view[3] = {0.0, 0.0, -1.0}, world[3];
-        tl_float_position(&prepared.frame, prepared.needs, planes.layout, &words, x, y, at[i]);
-        for (int axis = 0; axis < 3 && isfinite(at[i][2]); axis++)
-            view[axis] = (double)at[i][axis] + (double)uniform(&seed, -0.3f, 0.3f);
+        const vec3 p = position_of(&prepared.frame, prepared.needs, planes.layout, &words,
+                                   (float)x, (float)y);
+        at[i] = p;
+        const float seen[3] = {p.x, p.y, p.z};
+        for (int axis = 0; axis < 3 && isfinite(p.z); axis++)
+            view[axis] = (double)seen[axis] + (double)uniform(&seed, -0.3f, 0.3f);
         tl_camera_world_point(&g->camera, view, world);
         for (int axis = 0; axis < 3; axis++)
             light.position[axis] = (float)world[axis];
@@ -97,8 +99,7 @@ static void light_the_pixels(const tl_gbuffer *g, tl_light_set *lights)
     }
     ASSERT_OK(tl_prepare(g, lights, 16, 1, 0.0f, NULL, &prepared, &err), err);
     for (int i = 0; i < LIGHT_COUNT; i++) {
-        const vec3 p = {at[i][0], at[i][1], at[i][2]};
-        const vec3 l = vector_to_light(p, prepared.lights[i]);
+        const vec3 l = vector_to_light(at[i], prepared.lights[i]);
         const float rim = sqrtf(dot3(l, l));
         if (rim > 0.0f && isfinite(rim))
             lights->lights[i].range = i % 2 ? nextafterf(rim, INFINITY) : rim;

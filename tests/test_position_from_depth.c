@@ -6,7 +6,7 @@
  * float may add, a few u of the depth whatever far/near is. The second is what the form decides. */
 #include "layout_frames.h"
 
-#include "float_position.h"
+#include "packing.h"
 
 #include <quadmath.h>
 
@@ -162,8 +162,9 @@ static void check_pixel(const spot *s, const tl_frame *frame, tl_needs needs)
     const tl_word_planes planes = tl_word_planes_of(s->packed);
     const tl_words words = tl_words_at(&planes, s->at);
     const float shown = tl_gbuffer_plane(s->from, TL_DEPTH)[s->at];
-    float got[3];
-    tl_float_position(frame, needs, planes.layout, &words, s->column, s->row, got);
+    const vec3 read =
+        position_of(frame, needs, planes.layout, &words, (float)s->column, (float)s->row);
+    const float got[3] = {read.x, read.y, read.z};
     if (isinf(shown)) {
         assert_true(isinf(got[2]) && got[2] < 0.0f);
         return;

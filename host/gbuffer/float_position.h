@@ -1,16 +1,17 @@
-/* Where a packed pixel is as kernels in float read it, for those who compute in double. */
+/* What kernels in float read of where a packed pixel is, for those who compute in double. */
 #ifndef TL_FLOAT_POSITION_H
 #define TL_FLOAT_POSITION_H
 
 #include "packing.h"
 
-/* out: in view space, m; z is -infinity where nothing was hit. */
-void tl_float_position(const tl_frame *frame,
-                       tl_needs needs,
-                       const tl_layout *layout,
-                       const tl_words *words,
-                       uint32_t column,
-                       uint32_t row,
-                       float out[3]);
+/* out: in view space, m; z is -infinity where nothing was hit; x and y are 0 where not they are stored but
+ * depth. */
+typedef void tl_float_position(const tl_frame *frame,
+                               tl_needs needs,
+                               const tl_words *words,
+                               float out[3]);
+
+/* Of each layout its own, in which what is read of the table is constants. */
+extern tl_float_position *const tl_float_position_of[TL_LAYOUT_COUNT];
 
 #endif

@@ -71,16 +71,14 @@ static void list_values(job *j)
     }
 }
 
-static readings read_position(const job *j,
-                              const tl_words *words,
-                              uint32_t column,
-                              uint32_t row)
+static readings read_position(
+    const job *j, const tl_layout *layout, const tl_words *words, uint32_t column, uint32_t row)
 {
     const tl_packing *p = &j->packing;
     float in_float[3];
-    tl_float_position(p->frame, p->needs, p->layout, words, column, row, in_float);
+    tl_float_position_of[p->needs.layout](p->frame, p->needs, words, in_float);
     return (readings){{{in_float[0], in_float[1], in_float[2]},
-                       position_of(p->frame, p->needs, p->layout, words, column, row)}};
+                       position_of(p->frame, p->needs, layout, words, column, row)}};
 }
 
 /* Whether what reads as sky was meant so: what is no number, or behind the far plane, does too. */
@@ -93,9 +91,9 @@ static int is_stored_sky(const tl_layout *layout, const tl_words *words)
     return stored == (c.number == TL_NUMBER_HALF ? 0x1p16 : (real)INFINITY);
 }
 
-static int is_within(const tl_packing *p, vec3 at)
+static int is_within(const tl_packing *p, const tl_layout *layout, vec3 at)
 {
-    const int is_position = TL_IS_POSITION(p->layout->depth.code);
+    const int is_position = TL_IS_POSITION(layout->depth.code);
     if (!(fabs(at.z) <= TL_DEEPEST))
         return 0;
     if (is_position && !(fabs(at.x) <= TL_DEEPEST && fabs(at.y) <= TL_DEEPEST))
@@ -103,13 +101,16 @@ static int is_within(const tl_packing *p, vec3 at)
     return p->needs.orthographic || -at.z >= 0x1p-149;
 }
 
-static int has_position(const tl_packing *p, const tl_words *words, readings at)
+static int has_position(const tl_packing *p,
+                        const tl_layout *layout,
+                        const tl_words *words,
+                        readings at)
 {
-    const tl_attribute *a = &p->layout->depth;
+    const tl_attribute *a = &layout->depth;
     for (int k = 0; k < 3 && TL_IS_POSITION(a->code); k++)
         if (!is_number(a->channels[k], channel_value(a->channels[k], words)))
             return 0;
-    return is_within(p, at.of[0]) && is_within(p, at.of[1]);
+    return is_within(p, layout, at.of[0]) && is_within(p, layout, at.of[1]);
 }
 
 static int has_normal(const tl_layout *layout, const tl_words *words)
@@ -128,7 +129,7 @@ static void clear_channel(tl_words *words, tl_channel c)
     words->of[c.word] &= ~((tl_u32)((1ull << c.bits) - 1u) << c.shift);
 }
 
-static void remove_normal(const job *j, tl_words *words)
+static __attribute__((noinline)) void remove_normal(const job *j, tl_words *words)
 {
     static const vec3 none = {0.0, 0.0, 0.0};
     tl_packing p = j->packing;
@@ -140,7 +141,10 @@ static void remove_normal(const job *j, tl_words *words)
 }
 
 /* Returns whether any was at fault. */
-static int repair_values(const job *j, tl_words *words, uint32_t column, uint32_t row)
+static __attribute__((noinline)) int repair_values(const job *j,
+                                                   tl_words *words,
+                                                   uint32_t column,
+                                                   uint32_t row)
 {
     tl_packing p = j->packing;
     int repaired = 0;
@@ -174,16 +178,16 @@ static void widen(slack *most, const job *j, readings at, uint32_t column, uint3
 }
 
 static void repair_pixel(const job *j,
+                         const tl_layout *layout,
                          tl_words *words,
                          uint32_t column,
                          uint32_t row,
                          tl_fault_counts *counts,
                          slack *most)
 {
-    const tl_layout *layout = j->planes.layout;
-    const readings at = read_position(j, words, column, row);
+    const readings at = read_position(j, layout, words, column, row);
     const int is_sky = isinf(at.of[0].z) && is_stored_sky(layout, words);
-    if (is_sky || !has_position(&j->packing, words, at)) {
+    if (is_sky || !has_position(&j->packing, layout, words, at)) {
         if (!is_sky)
             tl_faults_note(j->faults, row, column, TL_DEPTH);
         counts->depth += !is_sky;
@@ -208,22 +212,40 @@ static void raise_to(atomic_ullong *most, double value)
         ;
 }
 
-static void repair_rows(void *context, size_t begin, size_t end)
+static void repair_rows(job *j, const tl_layout *layout, size_t begin, size_t end)
 {
-    job *const j = context;
+    tl_word_planes planes = j->planes;
     tl_fault_counts counts = {0, 0, 0};
     slack most = {0.0, 0.0};
+    planes.layout = layout;
     for (uint32_t row = (uint32_t)begin; row < end; row++)
         for (uint32_t column = 0; column < j->gbuffer->camera.width; column++) {
             const size_t at = (size_t)row * j->gbuffer->pitch + column;
-            tl_words words = tl_words_at(&j->planes, at);
-            repair_pixel(j, &words, column, row, &counts, &most);
-            tl_words_put(&j->planes, at, words);
+            tl_words words = tl_words_at(&planes, at);
+            repair_pixel(j, layout, &words, column, row, &counts, &most);
+            tl_words_put(&planes, at, words);
         }
     tl_faults_add(j->faults, counts);
     raise_to(&j->slack_x, most.x);
     raise_to(&j->slack_y, most.y);
 }
+
+/* One function per layout, in which what is read of the table is constants: 1920 x 1080 pixels of
+ * compact-16 take two threads 33 ms in place of 51. */
+#define ROWS_OF(name, row, word)                                                              \
+    static                                                                                    \
+        __attribute__((flatten)) void rows_of_##name(void *context, size_t begin, size_t end) \
+    {                                                                                         \
+        repair_rows(context, &tl_layouts[name], begin, end);                                  \
+    }
+TL_LAYOUTS(ROWS_OF)
+#undef ROWS_OF
+
+static void (*const rows_of[TL_LAYOUT_COUNT])(void *context, size_t begin, size_t end) = {
+#define ROWS_OF(name, row, word) [name] = rows_of_##name,
+    TL_LAYOUTS(ROWS_OF)
+#undef ROWS_OF
+};
 
 /* Up to the next float, and by what the interval of a sphere may be off in double. */
 static float slack_of(atomic_ullong *most)
@@ -247,7 +269,7 @@ void tl_repair_packed(tl_gbuffer *gbuffer, tl_faults *faults)
     list_values(&j);
     atomic_init(&j.slack_x, 0);
     atomic_init(&j.slack_y, 0);
-    tl_parallel(gbuffer->camera.height, 4, repair_rows, &j);
+    tl_parallel(gbuffer->camera.height, 4, rows_of[gbuffer->layout], &j);
     gbuffer->slack_x = slack_of(&j.slack_x);
     gbuffer->slack_y = slack_of(&j.slack_y);
 }
