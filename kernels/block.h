@@ -40,8 +40,17 @@ TL_STATIC_ASSERT(8 % BLOCK_COLUMNS == 0 && 8 % BLOCK_ROWS == 0, tiles_are_whole_
 #endif
 #define BYTES_PER_LINE 64
 
+/* A line in each row of a row of blocks, `bytes` apart. */
+#define ASK_FOR_ROWS(from, bytes, is_written)                   \
+    do {                                                        \
+        _Pragma("unroll") for (uint r = 0; r < BLOCK_ROWS; r++) \
+            PREFETCH((from) + r * (size_t)(bytes), is_written); \
+    } while (0)
+
 /* Blocks of planes of whole numbers. `from` and `to` are the block's first pixel in a plane of `pitch`
- * numbers a row. */
+ * numbers a row. A row of four is aligned as such, for planes, pitch and blocks' columns are; said so, it
+ * is one load, while PoCL's vload4 takes it in halves: 12 instructions a block in place of 5, a tenth of
+ * a frame of full float that does nothing but read and write pixels. */
 #if TL_WIDTH == 1
 #    define NUMBERS(type, from, pitch) ((void)(pitch), (word32) * (__global const type *)(from))
 #elif TL_WIDTH == 4
@@ -56,7 +65,7 @@ TL_STATIC_ASSERT(8 % BLOCK_COLUMNS == 0 && 8 % BLOCK_ROWS == 0, tiles_are_whole_
                   NUMBER_ROW(type, from, 3 * (size_t)(pitch))))
 #endif
 #define NUMBER_ROW(type, from, offset) \
-    convert_uint4(vload4(0, (__global const type *)(from) + (offset)))
+    convert_uint4(*(__global const type##4 *)((__global const type *)(from) + (offset)))
 
 TL_INLINE word32 load_bytes(__global const uchar *from, uint pitch)
 {
@@ -80,20 +89,21 @@ TL_INLINE void store_block(real v, __global float *to, uint pitch)
     *to = (float)v;
 }
 #else
+#    define STORED_ROW(to, offset) (*(__global float4 *)((to) + (offset)))
 TL_INLINE void store_block(real v, __global float *to, uint pitch)
 {
     const TL_LANES(float) f = TL_LANES(convert_float)(v);
 #    if TL_WIDTH == 16
-    vstore4(f.s0123, 0, to);
-    vstore4(f.s4567, 0, to + pitch);
-    vstore4(f.s89ab, 0, to + 2 * (size_t)pitch);
-    vstore4(f.scdef, 0, to + 3 * (size_t)pitch);
+    STORED_ROW(to, 0) = f.s0123;
+    STORED_ROW(to, pitch) = f.s4567;
+    STORED_ROW(to, 2 * (size_t)pitch) = f.s89ab;
+    STORED_ROW(to, 3 * (size_t)pitch) = f.scdef;
 #    elif TL_WIDTH == 8
-    vstore4(f.lo, 0, to);
-    vstore4(f.hi, 0, to + pitch);
+    STORED_ROW(to, 0) = f.lo;
+    STORED_ROW(to, pitch) = f.hi;
 #    else
     (void)pitch;
-    vstore4(f, 0, to);
+    STORED_ROW(to, 0) = f;
 #    endif
 }
 #endif

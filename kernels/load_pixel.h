@@ -41,4 +41,41 @@ TL_INLINE tl_words load_words(const tl_layout *layout,
     return words;
 }
 
+#define ALL_WORDS ((1u << TL_MAX_WORDS) - 1u)
+
+/* The words that depth or a position is read from, bits 1 << word. */
+TL_INLINE uint depth_words(const tl_layout *layout)
+{
+    uint words = 0;
+#pragma unroll
+    for (uint i = 0; i < 3; i++)
+        if (layout->depth.channels[i].bits != 0)
+            words |= 1u << layout->depth.channels[i].word;
+    return words;
+}
+
+/* Asks for the same rows of the tile to the right, which is next as a rule: a processor's own prefetching
+ * does not follow a line of 64 bytes in each of dozens of rows. words: which, bits 1 << word. first: the
+ * first pixel of a row of blocks. */
+TL_INLINE void ask_for_next(const tl_layout *layout,
+                            uint words,
+                            __global const uchar *planes,
+                            size_t first,
+                            const tl_frame *frame)
+{
+    const size_t plane_size = (size_t)frame->rows * frame->pitch;
+    for (uint column = 0; column < frame->tile_size; column += BYTES_PER_LINE / 4) {
+        const size_t next = first + frame->tile_size + column;
+        size_t before = 0;
+#pragma unroll
+        for (uint i = 0; i < TL_MAX_WORDS; i++) {
+            const uint bytes = word_bytes(layout, TL_PRESENT, i);
+            if (bytes != 0 && (words >> i & 1u))
+                ASK_FOR_ROWS(planes + before * plane_size + next * bytes, frame->pitch * bytes,
+                             0);
+            before += bytes;
+        }
+    }
+}
+
 #endif

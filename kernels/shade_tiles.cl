@@ -19,29 +19,19 @@
 /* A row of blocks in the largest tile, 64 px. */
 #define MOST_BLOCKS (64 / BLOCK_COLUMNS)
 
-/* Asks for the same rows of the tile to the right, which is lit next as a rule: a processor's own
- * prefetching does not follow a line of 64 bytes in each of dozens of rows. first: of these rows. */
-TL_INLINE void ask_for_next(const tl_layout *layout,
-                            __global const uchar *planes,
-                            __global const float *radiance,
-                            size_t first,
-                            const tl_frame *frame)
+/* Asks for what the next tile reads and writes there. */
+TL_INLINE void ask_for_next_tile(const tl_layout *layout,
+                                 __global const uchar *planes,
+                                 __global const float *radiance,
+                                 size_t first,
+                                 const tl_frame *frame)
 {
     const size_t plane_size = (size_t)frame->rows * frame->pitch;
-    for (uint row = 0; row < BLOCK_ROWS; row++) {
-        const size_t next = first + row * frame->pitch + frame->tile_size;
-        size_t before = 0;
-#pragma unroll
-        for (uint i = 0; i < TL_MAX_WORDS; i++) {
-            const uint bytes = word_bytes(layout, TL_PRESENT, i);
-            for (uint offset = 0; offset < frame->tile_size * bytes; offset += BYTES_PER_LINE)
-                PREFETCH(planes + before * plane_size + next * bytes + offset, 0);
-            before += bytes;
-        }
-        for (uint plane = 0; plane < 3; plane++)
-            for (uint column = 0; column < frame->tile_size; column += BYTES_PER_LINE / 4)
-                PREFETCH(radiance + plane * plane_size + next + column, 1);
-    }
+    ask_for_next(layout, ALL_WORDS, planes, first, frame);
+    for (uint plane = 0; plane < 3; plane++)
+        for (uint column = 0; column < frame->tile_size; column += BYTES_PER_LINE / 4)
+            ASK_FOR_ROWS(radiance + plane * plane_size + first + frame->tile_size + column,
+                         frame->pitch, 1);
 }
 
 /* Lights of a list that are taken through the loops together: the arrays below stay in L1. */
@@ -119,7 +109,7 @@ __kernel void shade_tiles(const tl_frame frame,
 
     for (uint row = row0; row < row0 + frame.tile_size; row += BLOCK_ROWS) {
         const size_t first = (size_t)(frame.buffer_row + row) * frame.pitch + column0;
-        ask_for_next(&layout, planes, radiance, first, &frame);
+        ask_for_next_tile(&layout, planes, radiance, first, &frame);
         for (uint b = 0; b < frame.tile_size / BLOCK_COLUMNS; b++) {
             const uint column = column0 + b * BLOCK_COLUMNS;
             const tl_words words =
