@@ -9,3 +9,10 @@ tl_test(test_command_layouts command tl_gbuffer PkgConfig::JANSSON)
 foreach(name usage frames failures cache layouts)
     add_dependencies(test_command_${name} tilelight)
 endforeach()
+
+# Is every table on the page of layouts what the program says?
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+add_test(NAME layouts_page_is_made
+         COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/scripts/make-layouts-page
+                 $<TARGET_FILE:tilelight> --check)
+tl_test_properties(layouts_page_is_made command)

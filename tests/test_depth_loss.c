@@ -55,8 +55,8 @@ static void losses_are_within_the_bound(void **state)
     }
 }
 
-/* 3u of the depth where a projection is read: depth_code.h derives it. The textbook's constants are as
- * large as 1/near, and far away they nearly cancel: u depth/near is left. */
+/* 3u of the depth where a projection is read, 2u more from whole numbers: depth_code.h derives it. The
+ * textbook's constants are as large as 1/near, and far away they nearly cancel: u depth/near is left. */
 static void only_the_textbook_cancels(void **state)
 {
     static const enum tl_layout_name forward[] = {TL_LAYOUT_FLOAT_FORWARD, TL_LAYOUT_FLOAT_NDC,
@@ -68,7 +68,7 @@ static void only_the_textbook_cancels(void **state)
         tl_depth_loss loss;
         tl_error err;
         ASSERT_OK(tl_depth_loss_find(&camera, forward[i], 900.0, &loss, &err), err);
-        if (loss.read > 3.0 * u * 1.001 || loss.textbook < 0.1 * u * 900.0 / 0.1)
+        if (loss.read > 5.0 * u * 1.001 || loss.textbook < 0.1 * u * 900.0 / 0.1)
             fail_msg("%s: %g u read, %g u by the textbook", tl_layout_word(forward[i]),
                      loss.read / u, loss.textbook / u);
     }

@@ -6,7 +6,7 @@
 #include <assert.h>
 #include <math.h>
 
-enum { SAMPLES = 2048 };
+enum { SAMPLES = 512 };
 
 static tl_camera camera_of_samples(const tl_camera *camera)
 {
