@@ -9,6 +9,8 @@ endfunction()
 
 tl_test(test_file_gbuffer_round_trip unit tl_files)
 tl_exr_test(test_file_gbuffer_standard)
+tl_exr_test(test_file_words)
+tl_test(test_file_words_refusals unit tl_files)
 tl_exr_test(test_file_gbuffer_foreign)
 tl_exr_test(test_file_gbuffer_refusals)
 tl_exr_test(test_file_exr_damaged)

@@ -75,7 +75,7 @@ static const struct {
     {"another layout",
      {.width = 5, .height = 3, .layout = "octahedral"},
      TL_ERR_UNSUPPORTED,
-     {"\"octahedral\"", "\"float\""}},
+     {"tilelight:layout", "\"octahedral\"", "float, float-forward"}},
     {"no layout",
      {.width = 5, .height = 3, .without_attribute = "tilelight:layout"},
      TL_ERR_FORMAT,

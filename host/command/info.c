@@ -6,6 +6,7 @@
 #include "json_values.h"
 #include "report_options.h"
 #include "tilelight/gbuffer_file.h"
+#include "tilelight/layouts.h"
 #include "try.h"
 #include "values.h"
 
@@ -111,6 +112,25 @@ static tl_status picture_info(const tl_image *image, bool is_png, bool json, tl_
     return TL_OK;
 }
 
+static tl_status gbuffer_info(const info_gbuffer *read, bool json, tl_error *err)
+{
+    tl_status status = TL_OK;
+    info_gbuffer of = *read;
+    tl_gbuffer *unpacked = NULL;
+    of.pixels = of.file;
+    if (of.file->layout != TL_LAYOUT_FLOAT) {
+        TRY(tl_gbuffer_unpack(of.file, &unpacked, err));
+        of.pixels = unpacked;
+    }
+    if (json)
+        TRY(tl_json_write("-", info_gbuffer_json(&of), err));
+    else
+        info_print_gbuffer(&of);
+done:
+    tl_gbuffer_destroy(unpacked);
+    return status;
+}
+
 /* An OpenEXR file is a G-buffer, else a picture. Where it is neither, both reasons are said. */
 static tl_status exr_info(const char *path, bool json, tl_error *err)
 {
@@ -122,10 +142,9 @@ static tl_status exr_info(const char *path, bool json, tl_error *err)
     tl_error other;
 
     if (tl_gbuffer_read(path, &gbuffer, &lights, &has_lights, err) == TL_OK) {
-        if (json)
-            TRY(tl_json_write("-", info_gbuffer_json(gbuffer, &lights, has_lights), err));
-        else
-            info_print_gbuffer(gbuffer, &lights, has_lights);
+        const info_gbuffer read = {
+            .file = gbuffer, .lights = &lights, .has_lights = has_lights};
+        TRY(gbuffer_info(&read, json, err));
     } else if (tl_image_read(path, &image, NULL, &other) == TL_OK) {
         TRY(picture_info(image, false, json, err));
     } else {

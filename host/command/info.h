@@ -25,9 +25,15 @@ json_t *info_values_json(const info_values *values);
 void info_print_lights(const tl_light_set *set);
 json_t *info_lights_json(const tl_light_set *set);
 
-void info_print_gbuffer(const tl_gbuffer *gbuffer, const tl_light_set *lights, int has_lights);
-json_t *info_gbuffer_json(const tl_gbuffer *gbuffer,
-                          const tl_light_set *lights,
-                          int has_lights);
+/* What a G-buffer's file holds. */
+typedef struct info_gbuffer {
+    const tl_gbuffer *file;   /* in its layout */
+    const tl_gbuffer *pixels; /* the same in full float */
+    const tl_light_set *lights;
+    int has_lights;
+} info_gbuffer;
+
+void info_print_gbuffer(const info_gbuffer *of);
+json_t *info_gbuffer_json(const info_gbuffer *of);
 
 #endif

@@ -1,5 +1,7 @@
 #include "info.h"
 #include "json_values.h"
+#include "tilelight/layouts.h"
+#include "word_channels.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -53,10 +55,36 @@ static void print_camera(const tl_camera *c)
     printf(", near %.6g m, far %.6g m\n", (double)c->near, (double)c->far);
 }
 
-void info_print_gbuffer(const tl_gbuffer *g, const tl_light_set *lights, int has_lights)
+/* Bytes per pixel in memory. */
+static unsigned channel_size(const tl_gbuffer *g, const tl_word_channel *c)
 {
+    unsigned size = 0;
+    for (uint32_t w = 0; w < c->word_count; w++)
+        size += tl_gbuffer_word_size(g, c->first_word + w);
+    return size;
+}
+
+/* What the file's channels are; in full float they are the planes. */
+static void print_layout(const tl_gbuffer *g)
+{
+    tl_word_channel channels[TL_MAX_WORDS];
+    const size_t count = tl_word_channels(g->layout, g->present, channels);
+    printf("layout      %s, %u bytes per pixel in memory\n", tl_layout_word(g->layout),
+           tl_gbuffer_pixel_size(g));
+    if (g->layout == TL_LAYOUT_FLOAT)
+        return;
+    printf("%-40s %5s %6s\n", "channel", "type", "bytes");
+    for (size_t i = 0; i < count; i++)
+        printf("%-40s %5s %6u\n", channels[i].name, tl_word_types[channels[i].type],
+               channel_size(g, &channels[i]));
+}
+
+void info_print_gbuffer(const info_gbuffer *of)
+{
+    const tl_gbuffer *g = of->pixels;
     printf("G-buffer    %u x %u pixels, %.2f %% covered\n", g->camera.width, g->camera.height,
            100.0 * coverage(g));
+    print_layout(of->file);
     print_camera(&g->camera);
     printf("%-12s %12s %12s %12s\n", "plane", "min", "mean", "max");
     for (enum tl_plane p = 0; p < TL_PLANE_COUNT; p++) {
@@ -65,8 +93,8 @@ void info_print_gbuffer(const tl_gbuffer *g, const tl_light_set *lights, int has
         const info_values values = measure(g, p);
         info_print_values(planes[p].channel, &values);
     }
-    if (has_lights)
-        info_print_lights(lights);
+    if (of->has_lights)
+        info_print_lights(of->lights);
     else
         puts("no lights inside");
 }
@@ -90,8 +118,21 @@ static json_t *camera_json(const tl_camera *c)
     return out;
 }
 
-json_t *info_gbuffer_json(const tl_gbuffer *g, const tl_light_set *lights, int has_lights)
+static json_t *channels_json(const tl_gbuffer *g)
 {
+    tl_word_channel channels[TL_MAX_WORDS];
+    const size_t count = tl_word_channels(g->layout, g->present, channels);
+    json_t *out = json_array();
+    for (size_t i = 0; i < count; i++)
+        json_array_append_new(out, json_pack("{ss ss si}", "name", channels[i].name, "type",
+                                             tl_word_types[channels[i].type], "bytes",
+                                             (int)channel_size(g, &channels[i])));
+    return out;
+}
+
+json_t *info_gbuffer_json(const info_gbuffer *of)
+{
+    const tl_gbuffer *g = of->pixels;
     json_t *measured = json_object();
     for (enum tl_plane p = 0; p < TL_PLANE_COUNT; p++) {
         if (!tl_gbuffer_plane(g, p))
@@ -99,8 +140,10 @@ json_t *info_gbuffer_json(const tl_gbuffer *g, const tl_light_set *lights, int h
         const info_values values = measure(g, p);
         json_object_set_new(measured, planes[p].channel, info_values_json(&values));
     }
-    return json_pack("{ss s[ii] sf so so so}", "kind", "gbuffer", "size", (int)g->camera.width,
-                     (int)g->camera.height, "coverage", coverage(g), "camera",
-                     camera_json(&g->camera), "planes", measured, "lights",
-                     has_lights ? info_lights_json(lights) : json_null());
+    return json_pack("{ss s[ii] sf ss si so so so so}", "kind", "gbuffer", "size",
+                     (int)g->camera.width, (int)g->camera.height, "coverage", coverage(g),
+                     "layout", tl_layout_word(of->file->layout), "bytes_per_pixel",
+                     (int)tl_gbuffer_pixel_size(of->file), "channels", channels_json(of->file),
+                     "camera", camera_json(&g->camera), "planes", measured, "lights",
+                     of->has_lights ? info_lights_json(of->lights) : json_null());
 }

@@ -195,6 +195,26 @@ tl_status tl_exr_reader_require(const tl_exr_reader *reader, const char *channel
     return TL_OK;
 }
 
+tl_status tl_exr_reader_require_type(const tl_exr_reader *reader,
+                                     const char *channel,
+                                     exr_pixel_type_t type,
+                                     tl_error *err)
+{
+    static const char *const types[] = {
+        [EXR_PIXEL_UINT] = "uint", [EXR_PIXEL_HALF] = "half", [EXR_PIXEL_FLOAT] = "float"};
+    const exr_attr_chlist_entry_t *found = find_channel(reader, channel);
+    if (!found)
+        return tl_fail(err, TL_ERR_FORMAT, "%s: has no channel \"%s\"", reader->stream.path,
+                       channel);
+    if (found->pixel_type != type)
+        return tl_fail(
+            err, TL_ERR_FORMAT,
+            "%s: channel \"%s\" is %s; its bits are a word of the layout, so it must "
+            "be %s",
+            reader->stream.path, channel, types[found->pixel_type], types[type]);
+    return TL_OK;
+}
+
 bool tl_exr_reader_has_attribute(const tl_exr_reader *reader, const char *name)
 {
     const exr_context_t context = reader->stream.context;
@@ -227,12 +247,14 @@ static void set_destinations(const decoding *shared,
         for (size_t i = 0; i < shared->target_count; i++) {
             if (strcmp(shared->targets[i].channel, channel->channel_name) != 0)
                 continue;
-            channel->user_data_type = EXR_PIXEL_FLOAT;
-            channel->user_bytes_per_element = sizeof(float);
-            channel->user_pixel_stride = sizeof(float);
-            channel->user_line_stride = (int32_t)(shared->pitch * sizeof(float));
+            const exr_pixel_type_t held = shared->targets[i].held;
+            const size_t bytes = held == EXR_PIXEL_HALF ? 2 : 4;
+            channel->user_data_type = (uint16_t)held;
+            channel->user_bytes_per_element = (int16_t)bytes;
+            channel->user_pixel_stride = (int32_t)bytes;
+            channel->user_line_stride = (int32_t)(shared->pitch * bytes);
             channel->decode_to_ptr =
-                (uint8_t *)(shared->targets[i].plane + first_row * shared->pitch);
+                (uint8_t *)shared->targets[i].plane + first_row * shared->pitch * bytes;
         }
     }
 }

@@ -1,4 +1,4 @@
-/* Reads channels of the first part of a scanline OpenEXR file as float planes, on all threads. */
+/* Reads channels of the first part of a scanline OpenEXR file as planes, on all threads. */
 #ifndef TL_EXR_READER_H
 #define TL_EXR_READER_H
 
@@ -22,7 +22,9 @@ typedef struct tl_exr_reader {
 /* A channel and where it goes. */
 typedef struct tl_exr_target {
     const char *channel;
-    float *plane; /* [height][pitch] */
+    exr_pixel_type_t
+        held; /* in memory: the channel's type, bit for bit; or float, to which it is converted */
+    void *plane; /* [height][pitch] */
 } tl_exr_target;
 
 /* Opens the file and checks storage kind, windows, extents, channel list, compression, and that
@@ -39,13 +41,19 @@ tl_status tl_exr_reader_require(const tl_exr_reader *reader,
                                 const char *channel,
                                 tl_error *err);
 
+/* Fails with TL_ERR_FORMAT for a channel that is absent or of another type. */
+tl_status tl_exr_reader_require_type(const tl_exr_reader *reader,
+                                     const char *channel,
+                                     exr_pixel_type_t type,
+                                     tl_error *err);
+
 bool tl_exr_reader_has_attribute(const tl_exr_reader *reader, const char *name);
 
 /* Fails with TL_ERR_FORMAT where planes of `size` bytes in all would be out of proportion to the
  * file, so that a header of some bytes cannot take a machine's memory. */
 tl_status tl_exr_reader_check_size(const tl_exr_reader *reader, uint64_t size, tl_error *err);
 
-/* Reads the targets' channels, which have passed tl_exr_reader_require. Fails as open does. */
+/* Reads the targets' channels, which have passed one of the two that require them. Fails as open does. */
 tl_status tl_exr_reader_pixels(tl_exr_reader *reader,
                                const tl_exr_target *targets,
                                size_t target_count,

@@ -40,6 +40,15 @@ static void keep_message(exr_const_context_t context, exr_result_t code, const c
     pthread_mutex_unlock(&stream->lock);
 }
 
+/* While writing, the library may report with its lock held, which asking it for the stream would wait for:
+ * tl_exr_check then has the code's own words. */
+static void drop_message(exr_const_context_t context, exr_result_t code, const char *message)
+{
+    (void)context;
+    (void)code;
+    (void)message;
+}
+
 static int64_t file_size(exr_const_context_t context, void *data)
 {
     const tl_exr_stream *stream = data;
@@ -160,6 +169,7 @@ tl_status tl_exr_stream_write(
 {
     begin(stream, path, descriptor);
     exr_context_initializer_t initializer = initializer_for(stream);
+    initializer.error_handler_fn = drop_message;
     initializer.write_fn = write_at;
     initializer.zip_level = zip_level;
     const exr_result_t result =

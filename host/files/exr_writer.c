@@ -4,11 +4,15 @@
 #include "parallel.h"
 #include "try.h"
 
+#include <assert.h>
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* Bytes of the widest number in a channel; computed ones have rows of that. */
+enum { WIDEST = 4 };
 
 /* zlib's; half the time of its default for 1 % more bytes. */
 enum { ZIP_LEVEL = 4 };
@@ -18,9 +22,10 @@ enum { ZIP_LEVEL = 4 };
 typedef struct encoding {
     tl_exr_writer *writer;
     const tl_exr_picture *picture;
-    int lines;       /* per chunk */
-    int chunk_count; /* in the file */
-    atomic_int next; /* chunk to encode */
+    int lines;             /* per chunk */
+    int chunk_count;       /* in the file */
+    size_t computed_count; /* of the picture's channels */
+    atomic_int next;       /* chunk to encode */
     pthread_mutex_t lock;
     pthread_cond_t turned;
     int turn;            /* chunk to write */
@@ -33,7 +38,8 @@ typedef struct encoder {
     exr_encode_pipeline_t pipeline;
     bool is_ready; /* the pipeline has its routines */
     int chunk;
-    float *computed; /* [TL_EXR_MAX_COMPUTED][lines][width]; NULL where nothing is computed */
+    unsigned char
+        *computed; /* [computed][lines][width][WIDEST]; NULL where nothing is computed */
 } encoder;
 
 tl_status tl_exr_writer_begin(tl_exr_writer *writer,
@@ -93,9 +99,9 @@ static void compute_rows(encoder *own, uint32_t first_row)
     if (!picture->compute)
         return;
     for (uint32_t y = first_row; y < first_row + lines && y < picture->height; y++) {
-        float *rows[TL_EXR_MAX_COMPUTED];
-        for (size_t i = 0; i < TL_EXR_MAX_COMPUTED; i++)
-            rows[i] = own->computed + (i * lines + y - first_row) * picture->width;
+        void *rows[TL_EXR_MAX_COMPUTED] = {NULL};
+        for (size_t i = 0; i < own->shared->computed_count; i++)
+            rows[i] = own->computed + (i * lines + y - first_row) * picture->width * WIDEST;
         picture->compute(picture->context, y, rows);
     }
 }
@@ -113,15 +119,16 @@ static exr_result_t set_sources(encoder *own, uint32_t first_row)
             computed_count += picture->channels[i++].plane == NULL;
         if (i == picture->channel_count)
             return EXR_ERR_INVALID_ARGUMENT;
-        const float *plane = picture->channels[i].plane;
-        const size_t pitch = plane ? picture->pitch : picture->width;
-        const float *source = plane ? plane + first_row * pitch
-                                    : own->computed + computed_count * lines * picture->width;
-        channel->user_data_type = EXR_PIXEL_FLOAT;
-        channel->user_bytes_per_element = sizeof(float);
-        channel->user_pixel_stride = sizeof(float);
-        channel->user_line_stride = (int32_t)(pitch * sizeof(float));
-        channel->encode_from_ptr = (const uint8_t *)source;
+        const exr_pixel_type_t held = picture->channels[i].held;
+        const unsigned char *plane = picture->channels[i].plane;
+        const size_t bytes = held == EXR_PIXEL_HALF ? 2 : 4;
+        const size_t pitch = plane ? picture->pitch * bytes : picture->width * (size_t)WIDEST;
+        channel->user_data_type = (uint16_t)held;
+        channel->user_bytes_per_element = (int16_t)bytes;
+        channel->user_pixel_stride = (int32_t)bytes;
+        channel->user_line_stride = (int32_t)pitch;
+        channel->encode_from_ptr =
+            plane ? plane + first_row * pitch : own->computed + computed_count * lines * pitch;
     }
     return EXR_ERR_SUCCESS;
 }
@@ -159,8 +166,8 @@ static void encode_chunks(void *context, size_t begin, size_t end)
     (void)end;
 
     if (picture->compute) {
-        own.computed = calloc((size_t)TL_EXR_MAX_COMPUTED * (size_t)shared->lines,
-                              picture->width * sizeof(float));
+        own.computed = calloc(shared->computed_count * (size_t)shared->lines,
+                              picture->width * (size_t)WIDEST);
         if (!own.computed)
             result = EXR_ERR_OUT_OF_MEMORY;
     }
@@ -182,6 +189,16 @@ static void encode_chunks(void *context, size_t begin, size_t end)
     free(own.computed);
 }
 
+/* Names of more than 31 bytes are a flag of the file, which is not set without need. */
+static exr_result_t allow_long_names(exr_context_t context, const tl_exr_picture *picture)
+{
+    enum { SHORT_NAME = 31 };
+    for (size_t i = 0; i < picture->channel_count; i++)
+        if (strlen(picture->channels[i].name) > SHORT_NAME)
+            return exr_set_longname_support(context, 1);
+    return EXR_ERR_SUCCESS;
+}
+
 tl_status tl_exr_writer_pixels(tl_exr_writer *writer,
                                const tl_exr_picture *picture,
                                tl_error *err)
@@ -189,12 +206,16 @@ tl_status tl_exr_writer_pixels(tl_exr_writer *writer,
     tl_status status = TL_OK;
     tl_exr_stream *stream = &writer->stream;
     encoding shared = {.writer = writer, .picture = picture};
-    for (size_t i = 0; i < picture->channel_count; i++)
+    TRY(tl_exr_check(stream, allow_long_names(stream->context, picture), err));
+    for (size_t i = 0; i < picture->channel_count; i++) {
+        shared.computed_count += picture->channels[i].plane == NULL;
         TRY(tl_exr_check(stream,
                          exr_add_channel(stream->context, 0, picture->channels[i].name,
                                          picture->channels[i].type,
                                          EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1),
                          err));
+    }
+    assert(shared.computed_count <= TL_EXR_MAX_COMPUTED);
     TRY(tl_exr_check(stream, exr_write_header(stream->context), err));
     TRY(tl_exr_check(stream, exr_get_scanlines_per_chunk(stream->context, 0, &shared.lines),
                      err));

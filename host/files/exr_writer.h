@@ -10,23 +10,24 @@
 
 #include <stddef.h>
 
-enum { TL_EXR_MAX_COMPUTED = 4 };
+enum { TL_EXR_MAX_COMPUTED = 8 };
 
 /* A channel comes from memory, or is computed as the file is written. */
 typedef struct tl_exr_channel {
     const char *name;
-    exr_pixel_type_t type; /* in the file; floats are converted */
-    const float *plane;    /* [height][pitch]; NULL: the next of the computed ones */
+    exr_pixel_type_t type; /* in the file */
+    exr_pixel_type_t held; /* in memory: `type`, bit for bit; or float, which is converted */
+    const void *plane;     /* [height][pitch]; NULL: the next of the computed ones */
 } tl_exr_channel;
 
 typedef struct tl_exr_picture {
     uint32_t width, height; /* px */
-    size_t pitch;           /* floats from row to row of every plane */
+    size_t pitch;           /* pixels from row to row of every plane */
     size_t channel_count;
     const tl_exr_channel *channels;
     /* Fills one row of the computed channels, in the order of `channels`; called on any thread.
-     * rows[i] is float [width]. NULL where every channel has a plane. */
-    void (*compute)(const void *context, uint32_t y, float *const rows[TL_EXR_MAX_COMPUTED]);
+     * rows[i] is [width] of what the channel holds. NULL where every channel has a plane. */
+    void (*compute)(const void *context, uint32_t y, void *const rows[TL_EXR_MAX_COMPUTED]);
     const void *context;
 } tl_exr_picture;
 

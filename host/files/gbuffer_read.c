@@ -1,96 +1,105 @@
 #include "tilelight/gbuffer_file.h"
 
-#include "camera_attributes.h"
-#include "exr_reader.h"
-#include "plane_channels.h"
+#include "gbuffer_header.h"
+#include "packing.h"
+#include "parallel.h"
 #include "try.h"
 
-#include <inttypes.h>
+#include <stdatomic.h>
 #include <stdio.h>
-#include <string.h>
-
-enum { KNOWN_VERSION = 1 };
-
-static tl_status check_version(tl_exr_reader *reader, tl_error *err)
-{
-    tl_status status = TL_OK;
-    const char *path = reader->stream.path, *layout = NULL;
-    const exr_context_t context = reader->stream.context;
-    int32_t version = 0, length;
-    if (!tl_exr_reader_has_attribute(reader, "tilelight:version"))
-        TRY(tl_fail(
-            err, TL_ERR_UNSUPPORTED,
-            "%s: is no G-buffer of tilelight: it has no attribute \"tilelight:version\", so "
-            "its camera is missing; capture the scene with tilelight",
-            path));
-    if (exr_attr_get_int(context, 0, "tilelight:version", &version) != EXR_ERR_SUCCESS)
-        TRY(tl_fail(err, TL_ERR_FORMAT,
-                    "%s: attribute \"tilelight:version\" is not of type int", path));
-    if (version != KNOWN_VERSION)
-        TRY(tl_fail(err, TL_ERR_UNSUPPORTED,
-                    "%s: is a G-buffer of version %" PRId32 "; this program reads version %d",
-                    path, version, KNOWN_VERSION));
-    if (exr_attr_get_string(context, 0, "tilelight:layout", &length, &layout) !=
-        EXR_ERR_SUCCESS)
-        TRY(tl_fail(err, TL_ERR_FORMAT,
-                    "%s: has no attribute \"tilelight:layout\" of type string", path));
-    if (strcmp(layout, "float") != 0)
-        TRY(tl_fail(err, TL_ERR_UNSUPPORTED,
-                    "%s: its tilelight:layout is \"%.64s\"; this program reads \"float\"", path,
-                    layout));
-done:
-    return status;
-}
-
-/* Which planes the file has, every group whole. */
-static tl_status find_planes(const tl_exr_reader *reader, uint32_t *present, tl_error *err)
-{
-    static const uint32_t groups[] = {TL_GROUP_PHONG, TL_GROUP_METAL_ROUGH, TL_GROUP_OCCLUSION,
-                                      TL_GROUP_EMISSIVE};
-    tl_status status = TL_OK;
-    uint32_t found = 0, wanted = TL_GROUP_BASE;
-    for (enum tl_plane p = 0; p < TL_PLANE_COUNT; p++)
-        if (tl_exr_reader_has_channel(reader, tl_plane_channels[p]))
-            found |= TL_HAS(p);
-    for (size_t i = 0; i < sizeof groups / sizeof groups[0]; i++)
-        if (found & groups[i])
-            wanted |= groups[i];
-    for (enum tl_plane p = 0; p < TL_PLANE_COUNT; p++)
-        if (wanted & TL_HAS(p))
-            TRY(tl_exr_reader_require(reader, tl_plane_channels[p], err));
-    *present = wanted;
-done:
-    return status;
-}
+#include <stdlib.h>
 
 static tl_status create(const tl_exr_reader *reader,
-                        const tl_camera *camera,
-                        uint32_t present,
+                        const tl_gbuffer_header *of,
                         tl_gbuffer **out,
                         tl_error *err)
 {
-    const uint64_t plane_count = (uint64_t)__builtin_popcount(present);
+    uint64_t size = 0;
     tl_error reason = {.status = TL_OK};
-    tl_status status = tl_exr_reader_check_size(
-        reader, plane_count * camera->width * camera->height * sizeof(float), err);
+    for (uint32_t i = 0; i < tl_layouts[of->layout].word_count; i++)
+        size += word_bytes(&tl_layouts[of->layout], of->present, i);
+    tl_status status =
+        tl_exr_reader_check_size(reader, size * of->camera.width * of->camera.height, err);
     if (status != TL_OK)
         return status;
-    status = tl_gbuffer_create(camera, present, out, &reason);
+    status = tl_gbuffer_create_packed(&of->camera, of->layout, of->present, out, &reason);
     if (status == TL_OK)
         return TL_OK;
     return tl_fail(err, status == TL_ERR_MEMORY ? status : TL_ERR_FORMAT, "%s: %.3000s",
                    reader->stream.path, reason.message);
 }
 
-static tl_status read_planes(tl_exr_reader *reader, tl_gbuffer *gbuffer, tl_error *err)
+/* Numbers of one channel that are several words. */
+typedef struct splitting {
+    const tl_word_channel *channel;
+    tl_word_planes planes;
+    const tl_gbuffer *gbuffer;
+    uint32_t *numbers;     /* [height][pitch] */
+    atomic_bool is_beyond; /* a number has more bits than its words */
+} splitting;
+
+static void split_rows(void *context, size_t begin, size_t end)
 {
-    tl_exr_target targets[TL_PLANE_COUNT];
-    size_t count = 0;
-    for (enum tl_plane p = 0; p < TL_PLANE_COUNT; p++)
-        if (gbuffer->present & TL_HAS(p))
-            targets[count++] = (tl_exr_target){.channel = tl_plane_channels[p],
-                                               .plane = tl_gbuffer_plane(gbuffer, p)};
-    return tl_exr_reader_pixels(reader, targets, count, gbuffer->pitch, err);
+    splitting *s = context;
+    const tl_word_channel *c = s->channel;
+    for (size_t row = begin; row < end; row++)
+        for (size_t x = 0; x < s->gbuffer->camera.width; x++) {
+            const size_t at = row * s->gbuffer->pitch + x;
+            uint32_t rest = s->numbers[at];
+            if (c->bits < 32 && rest >> c->bits)
+                atomic_store(&s->is_beyond, true);
+            for (uint32_t w = c->first_word; w < c->first_word + c->word_count; w++) {
+                const uint32_t bits = 8 * s->planes.layout->words[w].bytes;
+                tl_word_put(&s->planes, w, at, rest);
+                rest = bits < 32 ? rest >> bits : 0;
+            }
+        }
+}
+
+static tl_status split(const tl_exr_reader *reader, splitting *s, tl_error *err)
+{
+    atomic_init(&s->is_beyond, false);
+    tl_parallel(s->gbuffer->camera.height, 16, split_rows, s);
+    if (atomic_load(&s->is_beyond))
+        return tl_fail(err, TL_ERR_FORMAT,
+                       "%s: channel \"%s\" has a number of more than %u bits",
+                       reader->stream.path, s->channel->name, s->channel->bits);
+    return TL_OK;
+}
+
+/* Channels that memory holds as the file does are read in place; others beside it, then split. */
+static tl_status read_words(tl_exr_reader *reader,
+                            const tl_gbuffer_header *of,
+                            tl_gbuffer *gbuffer,
+                            tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_exr_target targets[TL_MAX_WORDS];
+    splitting split_ones[TL_MAX_WORDS];
+    size_t split_count = 0;
+    for (size_t i = 0; i < of->channel_count; i++) {
+        const tl_word_channel *c = &of->channels[i];
+        targets[i] = (tl_exr_target){.channel = c->name, .held = (exr_pixel_type_t)c->type};
+        if (tl_word_is_whole(c)) {
+            targets[i].plane = tl_gbuffer_words(gbuffer, c->first_word);
+            continue;
+        }
+        splitting *s = &split_ones[split_count++];
+        *s =
+            (splitting){.channel = c, .planes = tl_word_planes_of(gbuffer), .gbuffer = gbuffer};
+        targets[i].plane = s->numbers =
+            malloc((size_t)gbuffer->pitch * gbuffer->camera.height * sizeof *s->numbers);
+        if (!s->numbers)
+            TRY(tl_fail(err, TL_ERR_MEMORY, "%s: out of memory for channel \"%s\"",
+                        reader->stream.path, c->name));
+    }
+    TRY(tl_exr_reader_pixels(reader, targets, of->channel_count, gbuffer->pitch, err));
+    for (size_t i = 0; i < split_count; i++)
+        TRY(split(reader, &split_ones[i], err));
+done:
+    while (split_count > 0)
+        free(split_ones[--split_count].numbers);
+    return status;
 }
 
 static tl_status read_lights(tl_exr_reader *reader, tl_light_set *lights, tl_error *err)
@@ -118,19 +127,16 @@ tl_status tl_gbuffer_read(
     tl_exr_reader reader = {.is_open = false};
     tl_gbuffer *made = NULL;
     tl_light_set brought = {0};
-    tl_camera camera;
-    uint32_t present = 0;
+    tl_gbuffer_header promised;
     bool has = false;
 
     TRY(tl_exr_reader_open(&reader, path, err));
-    TRY(check_version(&reader, err));
-    TRY(tl_camera_attributes_read(&reader.stream, reader.width, reader.height, &camera, err));
-    TRY(find_planes(&reader, &present, err));
+    TRY(tl_gbuffer_header_read(&reader, &promised, err));
     has = tl_exr_reader_has_attribute(&reader, "tilelight:lights");
     if (has)
         TRY(read_lights(&reader, &brought, err));
-    TRY(create(&reader, &camera, present, &made, err));
-    TRY(read_planes(&reader, made, err));
+    TRY(create(&reader, &promised, &made, err));
+    TRY(read_words(&reader, &promised, made, err));
 
     *out = made;
     made = NULL;

@@ -2,68 +2,61 @@
 
 #include "camera_attributes.h"
 #include "exr_writer.h"
+#include "gbuffer_preview.h"
 #include "plane_channels.h"
 #include "try.h"
+#include "word_channels.h"
 
-#include <math.h>
+#include <assert.h>
+#include <stdio.h>
 #include <stdlib.h>
 
-enum { PREVIEW_COUNT = 4 };
-static const float largest_half = 65504.0f;
+/* Channels of words that do not stand in memory as in the file. */
+typedef struct joined {
+    tl_word_planes planes;
+    tl_word_channel channels[TL_EXR_MAX_COMPUTED - TL_PREVIEW_COUNT];
+    size_t count;
+} joined;
 
-/* What a row of the preview is computed from. */
-typedef struct preview {
+/* What rows that are computed are computed from. */
+typedef struct source {
     const tl_gbuffer *gbuffer;
-    const float *depth, *normal[3], *albedo[3];
-    const float *emissive[3]; /* NULL where the frame has none */
-} preview;
+    tl_unpacking unpacking;
+    joined joined;
+} source;
 
-static preview preview_of(const tl_gbuffer *gbuffer)
+/* The words of a channel as one number, the first in its lowest bits. */
+static void join_words(
+    const joined *from, const tl_word_channel *c, size_t first, uint32_t *row, uint32_t count)
 {
-    preview made = {.gbuffer = gbuffer, .depth = tl_gbuffer_plane(gbuffer, TL_DEPTH)};
-    for (unsigned i = 0; i < 3; i++) {
-        made.normal[i] = tl_gbuffer_plane(gbuffer, (enum tl_plane)(TL_NORMAL_X + i));
-        made.albedo[i] = tl_gbuffer_plane(gbuffer, (enum tl_plane)(TL_ALBEDO_R + i));
-        made.emissive[i] = tl_gbuffer_plane(gbuffer, (enum tl_plane)(TL_EMISSIVE_R + i));
+    for (uint32_t x = 0; x < count; x++) {
+        uint32_t shift = 0;
+        row[x] = 0;
+        for (uint32_t w = c->first_word; w < c->first_word + c->word_count; w++) {
+            row[x] |= tl_word_at(&from->planes, w, first + x) << shift;
+            shift += 8 * from->planes.layout->words[w].bytes;
+        }
     }
-    return made;
 }
 
-/* The frame under a lamp at the camera: albedo |N.V| + emissive; alpha says what is covered. V is
- * turned into world space by parts: what a row shares, and what grows with x. */
-static void compute_preview(const void *context, uint32_t y, float *const rows[PREVIEW_COUNT])
+static void compute_rows(const void *context, uint32_t y, void *const rows[TL_EXR_MAX_COMPUTED])
 {
-    const preview *from = context;
-    const tl_gbuffer *gbuffer = from->gbuffer;
-    const tl_camera *camera = &gbuffer->camera;
-    const size_t first = (size_t)y * gbuffer->pitch;
-    const float slope = camera->projection == TL_PERSPECTIVE ? 1.0f : 0.0f;
-    const float x_step = slope * (camera->right - camera->left) / (float)camera->width;
-    const float y_step = slope * (camera->top - camera->bottom) / (float)camera->height;
-    const float view_y = slope * camera->top - ((float)y + 0.5f) * y_step;
-    const float *right = camera->view_from_world[0];
-    float in_row[3];
-    for (int i = 0; i < 3; i++)
-        in_row[i] = camera->view_from_world[2][i] - view_y * camera->view_from_world[1][i];
+    const source *from = context;
+    float *const preview[TL_PREVIEW_COUNT] = {rows[0], rows[1], rows[2], rows[3]};
+    tl_preview_row(&from->unpacking, y, preview);
+    for (size_t i = 0; i < from->joined.count; i++)
+        join_words(&from->joined, &from->joined.channels[i], (size_t)y * from->gbuffer->pitch,
+                   rows[TL_PREVIEW_COUNT + i], from->gbuffer->camera.width);
+}
 
-    for (uint32_t x = 0; x < camera->width; x++) {
-        const size_t i = first + x;
-        const float view_x = slope * camera->left + ((float)x + 0.5f) * x_step;
-        const float cosine = from->normal[0][i] * (in_row[0] - view_x * right[0]) +
-                             from->normal[1][i] * (in_row[1] - view_x * right[1]) +
-                             from->normal[2][i] * (in_row[2] - view_x * right[2]);
-        rows[3][x] = fabsf(cosine) / sqrtf(view_x * view_x + view_y * view_y + 1.0f);
-    }
-    for (int c = 0; c < 3; c++)
-        for (uint32_t x = 0; x < camera->width; x++) {
-            const size_t i = first + x;
-            const float sent = from->emissive[c] ? from->emissive[c][i] : 0.0f;
-            const float value = from->albedo[c][i] * rows[3][x] + sent;
-            const float kept = value < largest_half ? value : largest_half;
-            rows[c][x] = from->depth[i] < INFINITY ? kept : 0.0f;
-        }
-    for (uint32_t x = 0; x < camera->width; x++)
-        rows[3][x] = from->depth[first + x] < INFINITY ? 1.0f : 0.0f;
+/* The planes that words stand for, by the names they have in full float. */
+static void format_planes(uint32_t present, char *text, size_t size)
+{
+    size_t length = 0;
+    for (int p = 0; p < TL_PLANE_COUNT; p++)
+        if (present & TL_HAS(p))
+            length += (size_t)snprintf(text + length, size - length, "%s%s", length ? " " : "",
+                                       tl_plane_channels[p]);
 }
 
 static tl_status set_attributes(tl_exr_stream *stream,
@@ -73,10 +66,17 @@ static tl_status set_attributes(tl_exr_stream *stream,
 {
     tl_status status = TL_OK;
     const exr_context_t context = stream->context;
-    char *text = NULL;
+    char *text = NULL, planes[256];
     TRY(tl_exr_check(stream, exr_attr_set_int(context, 0, "tilelight:version", 1), err));
-    TRY(tl_exr_check(stream, exr_attr_set_string(context, 0, "tilelight:layout", "float"),
-                     err));
+    TRY(tl_exr_check(
+        stream,
+        exr_attr_set_string(context, 0, "tilelight:layout", tl_layout_word(gbuffer->layout)),
+        err));
+    format_planes(gbuffer->present, planes, sizeof planes);
+    /* Where channels are planes, they say so themselves. */
+    if (gbuffer->layout != TL_LAYOUT_FLOAT)
+        TRY(tl_exr_check(stream, exr_attr_set_string(context, 0, "tilelight:planes", planes),
+                         err));
     TRY(tl_camera_attributes_write(stream, &gbuffer->camera, err));
     if (lights) {
         TRY(tl_lights_format(lights, &text, err));
@@ -88,6 +88,35 @@ done:
     return status;
 }
 
+/* `words` are kept by the channels. Returns how many there are. */
+static size_t list_channels(source *from,
+                            tl_word_channel words[TL_MAX_WORDS],
+                            tl_exr_channel channels[TL_PREVIEW_COUNT + TL_MAX_WORDS])
+{
+    static const char *const preview[TL_PREVIEW_COUNT] = {"R", "G", "B", "A"};
+    const tl_gbuffer *gbuffer = from->gbuffer;
+    const size_t word_count = tl_word_channels(gbuffer->layout, gbuffer->present, words);
+    size_t count = 0;
+    while (count < TL_PREVIEW_COUNT) {
+        channels[count] = (tl_exr_channel){
+            .name = preview[count], .type = EXR_PIXEL_HALF, .held = EXR_PIXEL_FLOAT};
+        count++;
+    }
+    for (size_t i = 0; i < word_count; i++) {
+        const exr_pixel_type_t type = (exr_pixel_type_t)words[i].type;
+        const bool whole = tl_word_is_whole(&words[i]);
+        assert(whole || from->joined.count < TL_EXR_MAX_COMPUTED - TL_PREVIEW_COUNT);
+        if (!whole)
+            from->joined.channels[from->joined.count++] = words[i];
+        channels[count++] = (tl_exr_channel){
+            .name = words[i].name,
+            .type = type,
+            .held = type,
+            .plane = whole ? tl_gbuffer_words(gbuffer, words[i].first_word) : NULL};
+    }
+    return count;
+}
+
 tl_status tl_gbuffer_write(const char *path,
                            const tl_gbuffer *gbuffer,
                            const tl_light_set *lights,
@@ -95,27 +124,19 @@ tl_status tl_gbuffer_write(const char *path,
 {
     tl_status status = TL_OK;
     tl_exr_writer writer = {.stream.context = NULL};
-    const preview shown = preview_of(gbuffer);
-    tl_exr_channel channels[PREVIEW_COUNT + TL_PLANE_COUNT] = {
-        {.name = "R", .type = EXR_PIXEL_HALF},
-        {.name = "G", .type = EXR_PIXEL_HALF},
-        {.name = "B", .type = EXR_PIXEL_HALF},
-        {.name = "A", .type = EXR_PIXEL_HALF},
-    };
-    tl_exr_picture picture = {.width = gbuffer->camera.width,
-                              .height = gbuffer->camera.height,
-                              .pitch = gbuffer->pitch,
-                              .channel_count = PREVIEW_COUNT,
-                              .channels = channels,
-                              .compute = compute_preview,
-                              .context = &shown};
+    tl_word_channel words[TL_MAX_WORDS];
+    tl_exr_channel channels[TL_PREVIEW_COUNT + TL_MAX_WORDS];
+    source from = {.gbuffer = gbuffer,
+                   .unpacking = tl_unpacking_of(gbuffer),
+                   .joined.planes = tl_word_planes_of(gbuffer)};
+    const tl_exr_picture picture = {.width = gbuffer->camera.width,
+                                    .height = gbuffer->camera.height,
+                                    .pitch = gbuffer->pitch,
+                                    .channel_count = list_channels(&from, words, channels),
+                                    .channels = channels,
+                                    .compute = compute_rows,
+                                    .context = &from};
 
-    for (enum tl_plane p = 0; p < TL_PLANE_COUNT; p++)
-        if (gbuffer->present & TL_HAS(p))
-            channels[picture.channel_count++] =
-                (tl_exr_channel){.name = tl_plane_channels[p],
-                                 .type = EXR_PIXEL_FLOAT,
-                                 .plane = tl_gbuffer_plane(gbuffer, p)};
     TRY(tl_exr_writer_begin(&writer, path, picture.width, picture.height, EXR_COMPRESSION_NONE,
                             err));
     TRY(set_attributes(&writer.stream, gbuffer, lights, err));

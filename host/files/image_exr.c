@@ -19,6 +19,7 @@ tl_status tl_image_write_exr(const char *path, const tl_image *image, int half, 
     for (unsigned c = 0; c < 3; c++)
         channels[c] = (tl_exr_channel){.name = channel_names[c],
                                        .type = half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT,
+                                       .held = EXR_PIXEL_FLOAT,
                                        .plane = tl_image_plane(image, c)};
     TRY(tl_exr_writer_begin(&writer, path, image->width, image->height,
                             half ? EXR_COMPRESSION_ZIP : EXR_COMPRESSION_NONE, err));
@@ -41,8 +42,9 @@ tl_status tl_image_read_exr(const char *path, tl_image **out, tl_error *err)
     TRY(tl_exr_reader_check_size(&reader, (uint64_t)3 * reader.width * reader.height * 4, err));
     TRY(tl_image_create(reader.width, reader.height, &made, err));
     for (unsigned c = 0; c < 3; c++)
-        targets[c] =
-            (tl_exr_target){.channel = channel_names[c], .plane = tl_image_plane(made, c)};
+        targets[c] = (tl_exr_target){.channel = channel_names[c],
+                                     .held = EXR_PIXEL_FLOAT,
+                                     .plane = tl_image_plane(made, c)};
     TRY(tl_exr_reader_pixels(&reader, targets, 3, made->pitch, err));
     *out = made;
     made = NULL;

@@ -20,7 +20,7 @@ static const struct {
     {"emissive", TL_GROUP_EMISSIVE},
 };
 
-static tl_status check_planes(uint32_t present, tl_error *err)
+tl_status tl_planes_check(uint32_t present, tl_error *err)
 {
     if ((present & TL_GROUP_BASE) != TL_GROUP_BASE)
         return tl_fail(err, TL_ERR_ARGUMENT, "a G-buffer needs depth, normal and albedo");
@@ -67,7 +67,7 @@ tl_status tl_gbuffer_create_packed(const tl_camera *camera,
     tl_gbuffer *made = NULL;
 
     TRY(tl_camera_check(camera, err));
-    TRY(check_planes(present, err));
+    TRY(tl_planes_check(present, err));
     TRY(tl_layout_suits(camera, layout, err));
     assert((present & ~tl_layout_planes(layout)) == 0);
     made = calloc(1, sizeof *made);

@@ -1,15 +1,6 @@
 #include "packing.h"
 
 #include "parallel.h"
-#include "try.h"
-
-typedef struct job {
-    const tl_gbuffer *from;
-    tl_word_planes words;          /* of `from` */
-    float *planes[TL_PLANE_COUNT]; /* of what is made */
-    tl_frame frame;
-    tl_needs needs;
-} job;
 
 /* The rotation's rows are orthonormal, so its inverse is its transpose. */
 static vec3 world_direction(const tl_frame *frame, vec3 view)
@@ -23,66 +14,86 @@ static vec3 world_direction(const tl_frame *frame, vec3 view)
     return w;
 }
 
-static void put(const job *j, int plane, size_t at, real value)
+static void put(float *const to[TL_PLANE_COUNT], int plane, size_t at, real value)
 {
-    if (j->planes[plane])
-        j->planes[plane][at] = value;
+    if (to[plane])
+        to[plane][at] = value;
 }
 
-static void put_three(const job *j, int first, size_t at, vec3 v)
+static void put_three(float *const to[TL_PLANE_COUNT], int first, size_t at, vec3 v)
 {
-    put(j, first, at, v.x);
-    put(j, first + 1, at, v.y);
-    put(j, first + 2, at, v.z);
+    put(to, first, at, v.x);
+    put(to, first + 1, at, v.y);
+    put(to, first + 2, at, v.z);
 }
 
-static void put_pixel(const job *j, size_t at, pixel p)
+static void put_pixel(float *const to[TL_PLANE_COUNT], size_t at, pixel p)
 {
-    put(j, TL_DEPTH, at, p.depth);
-    put_three(j, TL_NORMAL_X, at, p.normal);
-    put_three(j, TL_ALBEDO_R, at, p.albedo);
-    put_three(j, TL_SPECULAR_R, at, p.specular);
-    put_three(j, TL_EMISSIVE_R, at, p.emissive);
-    put(j, TL_SHININESS, at, p.shininess);
-    put(j, TL_METALLIC, at, p.metallic);
-    put(j, TL_ROUGHNESS, at, p.roughness);
-    put(j, TL_OCCLUSION, at, p.occlusion);
+    put(to, TL_DEPTH, at, p.depth);
+    put_three(to, TL_NORMAL_X, at, p.normal);
+    put_three(to, TL_ALBEDO_R, at, p.albedo);
+    put_three(to, TL_SPECULAR_R, at, p.specular);
+    put_three(to, TL_EMISSIVE_R, at, p.emissive);
+    put(to, TL_SHININESS, at, p.shininess);
+    put(to, TL_METALLIC, at, p.metallic);
+    put(to, TL_ROUGHNESS, at, p.roughness);
+    put(to, TL_OCCLUSION, at, p.occlusion);
 }
+
+tl_unpacking tl_unpacking_of(const tl_gbuffer *from)
+{
+    tl_unpacking made = {.from = from,
+                         .words = tl_word_planes_of(from),
+                         .needs = {.present = from->present,
+                                   .orthographic = from->camera.projection == TL_ORTHOGRAPHIC,
+                                   .layout = from->layout}};
+    tl_view_set(&from->camera, from->layout, &made.frame);
+    return made;
+}
+
+void tl_unpack_span(const tl_unpacking *u,
+                    uint32_t row,
+                    uint32_t begin,
+                    uint32_t end,
+                    float *const to[TL_PLANE_COUNT])
+{
+    const tl_layout *layout = u->words.layout;
+    for (uint32_t column = begin; column < end; column++) {
+        const tl_words words = tl_words_at(&u->words, (size_t)row * u->from->pitch + column);
+        const vec3 position =
+            position_of(&u->frame, u->needs, layout, &words, (real)column, (real)row);
+        pixel p = pixel_of(u->needs, layout, &words, -position.z);
+        if (layout->normal_space == TL_NORMALS_IN_VIEW)
+            p.normal = world_direction(&u->frame, p.normal);
+        put_pixel(to, column - begin, p);
+    }
+}
+
+typedef struct job {
+    tl_unpacking unpacking;
+    tl_gbuffer *to;
+} job;
 
 static void unpack_rows(void *context, size_t begin, size_t end)
 {
     const job *j = context;
-    const tl_layout *layout = j->words.layout;
-    for (size_t row = begin; row < end; row++)
-        for (size_t column = 0; column < j->from->camera.width; column++) {
-            const size_t at = row * j->from->pitch + column;
-            const tl_words words = tl_words_at(&j->words, at);
-            const vec3 position =
-                position_of(&j->frame, j->needs, layout, &words, (real)column, (real)row);
-            pixel p = pixel_of(j->needs, layout, &words, -position.z);
-            if (layout->normal_space == TL_NORMALS_IN_VIEW)
-                p.normal = world_direction(&j->frame, p.normal);
-            put_pixel(j, at, p);
+    for (size_t row = begin; row < end; row++) {
+        float *to[TL_PLANE_COUNT];
+        for (int p = 0; p < TL_PLANE_COUNT; p++) {
+            float *plane = tl_gbuffer_plane(j->to, (enum tl_plane)p);
+            to[p] = plane ? plane + row * j->to->pitch : NULL;
         }
+        tl_unpack_span(&j->unpacking, (uint32_t)row, 0, j->to->camera.width, to);
+    }
 }
 
 tl_status tl_gbuffer_unpack(const tl_gbuffer *from, tl_gbuffer **out, tl_error *err)
 {
-    tl_status status = TL_OK;
-    tl_gbuffer *made = NULL;
-    job j = {.from = from,
-             .words = tl_word_planes_of(from),
-             .needs = {.present = from->present,
-                       .orthographic = from->camera.projection == TL_ORTHOGRAPHIC,
-                       .layout = from->layout}};
-    TRY(tl_gbuffer_create(&from->camera, from->present, &made, err));
-    tl_view_set(&from->camera, from->layout, &j.frame);
-    for (int p = 0; p < TL_PLANE_COUNT; p++)
-        j.planes[p] = tl_gbuffer_plane(made, (enum tl_plane)p);
-    tl_parallel(made->camera.height, 4, unpack_rows, &j);
-    *out = made;
-    made = NULL;
-done:
-    tl_gbuffer_destroy(made);
-    return status;
+    job j = {.unpacking = tl_unpacking_of(from)};
+    const tl_status status = tl_gbuffer_create(&from->camera, from->present, &j.to, err);
+    if (status != TL_OK)
+        return status;
+    tl_parallel(j.to->camera.height, 4, unpack_rows, &j);
+    *out = j.to;
+    return TL_OK;
 }

@@ -9,8 +9,8 @@
 extern "C" {
 #endif
 
-/* Writes the G-buffer with a preview in R, G, B, A, and `lights` (may be NULL) inside, on all
- * threads, uncompressed. Under a temporary name beside `path`, synced, then renamed: whatever
+/* Writes the G-buffer, in its layout, with a preview in R, G, B, A, and `lights` (may be NULL)
+ * inside, on all threads, uncompressed. Under a temporary name beside `path`, synced, then renamed: whatever
  * happens, `path` is the old file, the new one, or absent. Fails with TL_ERR_WRITE or
  * TL_ERR_MEMORY. */
 tl_status tl_gbuffer_write(const char *path,
@@ -19,8 +19,8 @@ tl_status tl_gbuffer_write(const char *path,
                            tl_error *err);
 
 /* Reads what tl_gbuffer_write wrote, whatever its compression. Storage kind, sizes and channels
- * are checked before anything is allocated by them. The caller releases *out with
- * tl_gbuffer_destroy, and *lights (may be NULL) with tl_light_set_clear; *has_lights (may be NULL)
+ * are checked before anything is allocated by them. The layout is the file's. The caller releases
+ * *out with tl_gbuffer_destroy, and *lights (may be NULL) with tl_light_set_clear; *has_lights (may be NULL)
  * says whether the file brought any. Pixels are as the file has them: see tl_gbuffer_repair.
  * Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED or TL_ERR_MEMORY, naming the file and
  * the channel or attribute. */
