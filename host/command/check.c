@@ -221,16 +221,11 @@ done:
  * reference is of it. */
 static tl_status unpack(job *j, const char *name, tl_error *err)
 {
-    tl_status status = TL_OK;
-    tl_gbuffer *packed = j->gbuffer;
-    if (packed->layout == TL_LAYOUT_FLOAT)
-        return TL_OK;
-    tl_notice(&console_notices, "%s is of layout %s: it is unpacked, and checked in full float",
-              name, tl_layout_word(packed->layout));
-    TRY(tl_gbuffer_unpack(packed, &j->gbuffer, err));
-    tl_gbuffer_destroy(packed);
-done:
-    return status;
+    if (j->gbuffer->layout != TL_LAYOUT_FLOAT)
+        tl_notice(&console_notices,
+                  "%s is of layout %s: it is unpacked, and checked in full float", name,
+                  tl_layout_word(j->gbuffer->layout));
+    return job_unpack(j, err);
 }
 
 /* The frame at `position` of those that were asked for. The job's G-buffer moves into it. */

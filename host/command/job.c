@@ -90,9 +90,28 @@ tl_status job_read(job *j, const char *path, bool strict, tl_error *err)
     tl_status status = TL_OK;
     const double start = tl_seconds();
     console_stage("reading the G-buffer");
-    TRY(tl_gbuffer_read(path, &j->gbuffer, j->lights_given ? NULL : &j->lights, NULL, err));
+    TRY(tl_gbuffer_read(path, &j->gbuffer, j->lights_given ? NULL : &j->lights,
+                        &j->lights_inside, err));
     tl_timings_end(&j->timings, "read", start);
     TRY(job_repair(j, path, strict, err));
+done:
+    return status;
+}
+
+tl_status job_unpack(job *j, tl_error *err)
+{
+    tl_status status = TL_OK;
+    const double start = tl_seconds();
+    tl_gbuffer *unpacked = NULL;
+    if (j->gbuffer->layout == TL_LAYOUT_FLOAT)
+        return TL_OK;
+    console_stage("unpacking");
+    TRY(tl_gbuffer_unpack(j->gbuffer, &unpacked, err));
+    tl_gbuffer_destroy(j->gbuffer);
+    j->gbuffer = unpacked;
+    /* Its faults were repaired, and counted, as words; sky and lost normals read as full float has them. */
+    TRY(tl_gbuffer_repair(j->gbuffer, "unpacked", false, NULL, err));
+    tl_timings_end(&j->timings, "unpack", start);
 done:
     return status;
 }

@@ -1,5 +1,5 @@
 /* One frame on its way: a G-buffer captured or read, repaired, lit, written. What `render`,
- * `capture`, `light` and `scatter` share; they differ in the steps they take. */
+ * `capture`, `light`, `scatter` and `convert` share; they differ in the steps they take. */
 #ifndef TL_JOB_H
 #define TL_JOB_H
 
@@ -17,7 +17,8 @@
 typedef struct job {
     tl_gbuffer *gbuffer;
     tl_light_set lights;
-    bool lights_given; /* by a file or an option: they are kept, even where there are none */
+    bool lights_given;  /* by a file or an option: they are kept, even where there are none */
+    bool lights_inside; /* the file of the G-buffer brought lights, even where there are none */
     tl_repairs repairs;
     tl_image *image;
     tl_timings timings;
@@ -35,6 +36,9 @@ tl_status job_read_lights(job *j, const char *path, tl_error *err);
 
 /* A G-buffer from a file, repaired; with its lights where none were given. */
 tl_status job_read(job *j, const char *path, bool strict, tl_error *err);
+
+/* The G-buffer in full float, where it is packed. */
+tl_status job_unpack(job *j, tl_error *err);
 
 /* A G-buffer that was just captured, repaired. `name` is what messages call it. */
 tl_status job_repair(job *j, const char *name, bool strict, tl_error *err);

@@ -36,6 +36,8 @@ static const struct {
      BOTH(command_render), "-DTILELIGHT_RASTER=ON -DTILELIGHT_LIGHTING=ON"},
     {"capture", "SCENE -o G.exr", "geometry pass only: a scene to a G-buffer",
      RASTER(command_capture), "-DTILELIGHT_RASTER=ON"},
+    {"convert", "G.exr -o H.exr", "a G-buffer from one layout of its pixels to another",
+     command_convert, ""},
     {"scatter", "G.exr -o L.json", "lights placed on the visible surfaces of a G-buffer",
      command_scatter, ""},
     {"light", "G.exr -o OUT", "light a G-buffer", LIGHTING(command_light),

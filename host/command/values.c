@@ -1,6 +1,7 @@
 #include "values.h"
 
 #include "tilelight/camera.h"
+#include "tilelight/layouts.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -100,6 +101,15 @@ unsigned value_word(struct argp_state *state,
     argp_error(state, "%s: no such %s \"%s\"; %s: %s", option, words->kind, text, words->kinds,
                list);
     return 0;
+}
+
+enum tl_layout_name value_layout(struct argp_state *state, const char *option, const char *text)
+{
+    enum tl_layout_name layout = TL_LAYOUT_FLOAT;
+    tl_error err;
+    if (tl_layout_find(text, &layout, &err) != TL_OK)
+        argp_error(state, "%s: %s", option, err.message);
+    return layout;
 }
 
 error_t value_argument(int key,

@@ -3,6 +3,8 @@
 #ifndef TL_VALUES_H
 #define TL_VALUES_H
 
+#include "layout_names.h"
+
 #include <argp.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -41,6 +43,10 @@ unsigned value_word(struct argp_state *state,
                     const char *option,
                     const char *text,
                     const value_words *words);
+
+enum tl_layout_name value_layout(struct argp_state *state,
+                                 const char *option,
+                                 const char *text);
 
 /* The arguments that are no options, each required. */
 typedef struct value_arguments {
