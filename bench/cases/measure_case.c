@@ -1,6 +1,6 @@
 #include "bench_record.h"
 
-#include "layout.h"
+#include "pass_bytes.h"
 #include "try.h"
 
 #include <string.h>
@@ -152,21 +152,6 @@ static void summarize(const measuring *m, tl_bench_record *out)
     }
 }
 
-/* Bytes per pixel of the words that have a part of the depth attribute. */
-static uint32_t depth_bytes(const tl_gbuffer *gbuffer)
-{
-    const tl_attribute *depth = &tl_layouts[gbuffer->layout].depth;
-    const int channels = TL_IS_POSITION(depth->code) ? 3 : 1;
-    uint32_t bytes = 0, counted = 0;
-    for (int i = 0; i < channels; i++) {
-        const uint32_t word = depth->channels[i].word;
-        if (!(counted >> word & 1u))
-            bytes += tl_gbuffer_word_size(gbuffer, word);
-        counted |= 1u << word;
-    }
-    return bytes;
-}
-
 static void describe(const tl_bench_frame *frame, const measuring *m, tl_bench_record *out)
 {
     const tl_gbuffer *gbuffer = m->ours.gbuffer;
@@ -174,7 +159,8 @@ static void describe(const tl_bench_frame *frame, const measuring *m, tl_bench_r
     out->range = frame->lights.count ? (double)frame->lights.lights[0].range : 0.0;
     out->plane_count = (uint32_t)__builtin_popcount(frame->gbuffer->present);
     out->pixel_bytes = tl_gbuffer_pixel_size(gbuffer);
-    out->depth_bytes = depth_bytes(gbuffer);
+    out->depth_bytes = tl_words_size(
+        gbuffer->layout, tl_pass_words_of(gbuffer->layout, gbuffer->present, true).positions);
     out->pitch = gbuffer->pitch;
     out->rows = gbuffer->rows;
     if (m->theirs.gbuffer)
