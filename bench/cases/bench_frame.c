@@ -42,6 +42,7 @@ done:
     return status;
 }
 
+/* Repaired, for that finds how far stored positions lie off their rays: culling's rectangles need it. */
 tl_status tl_bench_frame_in(tl_bench_frame *frame,
                             enum tl_layout_name layout,
                             const tl_gbuffer **out,
@@ -60,10 +61,13 @@ tl_status tl_bench_frame_in(tl_bench_frame *frame,
             return TL_OK;
         }
     TRY(tl_gbuffer_pack(frame->gbuffer, layout, &made, NULL, err));
+    TRY(tl_gbuffer_repair(made, frame->made_for.scene->name, false, NULL, err));
     tl_gbuffer_destroy(frame->packed[frame->next]);
     *out = frame->packed[frame->next] = made;
+    made = NULL;
     frame->next = 1 - frame->next;
 done:
+    tl_gbuffer_destroy(made);
     return status;
 }
 
