@@ -32,10 +32,6 @@ enum tl_value_code {
     TL_VALUE_CODE_COUNT
 };
 
-#define TL_MOST_SHININESS R(10000.0)
-#define TL_MOST_SHARED R(65408.0)               /* 511/512 2^16 */
-#define TL_LOG2_MOST_LOBE R(13.287856641840545) /* log2(10001) */
-
 TL_INLINE real shininess_of_logarithm(real stored)
 {
     const real lobe = exp2_of_negative((stored - R(1.0)) * TL_LOG2_MOST_LOBE);

@@ -32,6 +32,11 @@
 #    define TL_INLINE static inline
 #endif
 
+/* TL_STRUCT(name) { ... }; is a type called `name`, in GLSL too (raster/shaders/dialect.glsl). */
+#define TL_STRUCT(name)       \
+    typedef struct name name; \
+    struct name
+
 /* C11 has _Static_assert, OpenCL C 1.2 has not; a negative array length stops both. */
 #define TL_STATIC_ASSERT(condition, name) typedef char tl_assert_##name[(condition) ? 1 : -1]
 
@@ -135,12 +140,16 @@ typedef int64_t integer;
 #        define R(x) x
 #        define FMA(a, b, c) fma(a, b, c)
 #        define SQRT(x) sqrt(x)
+#        define FLOOR(x) floor(x)
+#        define LIBRARY_LOG2(x) log2(x)
 #    else
 typedef float real, scalar;
 typedef int32_t integer;
 #        define R(x) x##f
 #        define FMA(a, b, c) fmaf(a, b, c)
 #        define SQRT(x) sqrtf(x)
+#        define FLOOR(x) floorf(x)
+#        define LIBRARY_LOG2(x) log2f(x)
 #    endif
 typedef int mask;
 
@@ -163,6 +172,16 @@ TL_INLINE real WORD_AS_REAL(word32 w)
     memcpy(&x, &w, sizeof x);
     return (real)x;
 }
+
+/* The bits of x as a float; of a whole number as a word, negative ones as two's complement. */
+TL_INLINE word32 REAL_AS_WORD(real x)
+{
+    const float rounded = (float)x;
+    word32 w;
+    memcpy(&w, &rounded, sizeof w);
+    return w;
+}
+#    define WHOLE_TO_WORD(x) ((word32)(int32_t)(x))
 
 TL_INLINE integer AS_INTEGER(real x)
 {

@@ -13,10 +13,11 @@
 #define TL_LEAST_ALPHA2 R(0.0001999600) /* exponent 10000 */
 #define TL_DIELECTRIC R(0.04)           /* reflectance at normal incidence, index 1.5 */
 
-typedef struct phong_material {
+TL_STRUCT(phong_material)
+{
     vec3 diffuse, specular; /* linear Rec. 709 */
     real shininess;         /* Blinn-Phong exponent, 0 to 10000 */
-} phong_material;
+};
 
 TL_INLINE phong_material phong_of_metal_rough(vec3 base, real metallic, real roughness)
 {

@@ -13,13 +13,14 @@
  *               where half floats are 4 degrees off. No normal: e = (0, 0), far outside of the disk.
  *
  * host/gbuffer/error_bounds.c derives these. Reading gives a direction of length 1/2 or more (of floats,
- * any), or 0: whoever reads makes it unit. The writing of
- * each is in the common subset of C and GLSL (no casts, no pointers), for the geometry pass. */
+ * any), or 0: whoever reads makes it unit. All of it is in the common subset of C and GLSL, for the
+ * geometry pass (encode.h). */
 #ifndef TL_NORMAL_CODE_H
 #define TL_NORMAL_CODE_H
 
 #include "vec3.h"
 
+#ifndef TL_GLSL
 enum tl_normal_code {
     TL_NORMAL_NOT_STORED,
     TL_NORMAL_XYZ,
@@ -27,8 +28,7 @@ enum tl_normal_code {
     TL_NORMAL_SPHEREMAP,
     TL_NORMAL_CODE_COUNT
 };
-
-#define ABSOLUTE(v) pick((v) < R(0.0), -(v), (v))
+#endif
 
 /* v: a unit vector. Both of e within [-1, 1]. */
 TL_INLINE vec2 octahedron_of(vec3 v)

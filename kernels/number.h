@@ -18,6 +18,7 @@
 #define TL_NUMBER_H
 
 #include "dialect.h"
+#include "ranges.h"
 
 enum tl_number {
     TL_NUMBER_FLOAT,
@@ -28,9 +29,6 @@ enum tl_number {
     TL_NUMBER_BYTES24,
     TL_NUMBER_COUNT
 };
-
-#define TL_MOST_FLOAT R(0x1.fffffep127)
-#define TL_MOST_HALF R(65504.0)
 
 /* `bits` bits from `shift` on, as a whole number. */
 TL_INLINE word32 field_of(word32 w, tl_u32 shift, tl_u32 bits)

@@ -1,8 +1,9 @@
 /* From what a pixel shows to its words: unpack.h the other way. For the host, in double, so that what is
- * lost is what the layout loses; the geometry pass packs by itself (raster/shaders). */
+ * lost is what the layout loses. The geometry pass packs with the same formulas (encode.h). */
 #ifndef TL_PACK_H
 #define TL_PACK_H
 
+#include "encode.h"
 #include "unpack.h"
 
 #if !TL_REAL_DOUBLE
@@ -28,53 +29,32 @@ TL_INLINE real cut_to(tl_packing *p, tl_u32 planes, real low, real high, real va
     return value < low ? low : value > high ? high : value;
 }
 
-/* The bits of |value| but the last ones: to nearest, ties to even, by what is added below the last one
- * that stays. No sign: that of -0 would spill into the next number. */
-TL_INLINE word32 rounded_bits(float value, tl_u32 dropped)
-{
-    const float magnitude = fabsf(value);
-    word32 bits;
-    memcpy(&bits, &magnitude, sizeof bits);
-    return (bits + (1u << (dropped - 1u)) - 1u + (bits >> dropped & 1u)) >> dropped;
-}
-
 /* value: cut to the range already; infinity is what is not finite in halves. */
 TL_INLINE word32 half_of(real value)
 {
     const real magnitude = value < R(0.0) ? -value : value;
     const word32 sign = value < R(0.0) ? 0x8000u : 0u;
-    return sign | (magnitude > TL_MOST_HALF ? 0x7c00u
-                                            : rounded_bits((float)(magnitude * 0x1p-112), 13u));
-}
-
-TL_INLINE word32 whole_of(real value)
-{
-    return (word32)(int32_t)floor(value + R(0.5));
+    return sign |
+           (magnitude > TL_MOST_HALF ? 0x7c00u
+                                     : rounded_bits(REAL_AS_WORD(magnitude * 0x1p-112), 13u));
 }
 
 TL_INLINE word32 number_of(tl_packing *p, tl_channel c, tl_u32 planes, real value)
 {
-    const float rounded =
-        (float)(isinf(value) ? value : cut_to(p, planes, -TL_MOST_FLOAT, TL_MOST_FLOAT, value));
-    word32 bits;
-    if (c.number == TL_NUMBER_FLOAT) {
-        memcpy(&bits, &rounded, sizeof bits);
-        return bits;
-    }
+    const real finite =
+        isinf(value) ? value : cut_to(p, planes, -TL_MOST_FLOAT, TL_MOST_FLOAT, value);
+    if (c.number == TL_NUMBER_FLOAT)
+        return REAL_AS_WORD(finite);
     if (c.number == TL_NUMBER_HALF)
         return half_of(isinf(value) ? value
                                     : cut_to(p, planes, -TL_MOST_HALF, TL_MOST_HALF, value));
     if (c.number == TL_NUMBER_FLOAT24) {
         p->cut |= value < R(0.0) ? planes : 0u;
-        return value < R(0.0) ? 0u : rounded_bits(rounded, 7u);
+        return value < R(0.0) ? 0u : rounded_bits(REAL_AS_WORD(finite), 7u);
     }
-    if (c.number == TL_NUMBER_SNORM) {
-        const real most = (real)((1u << (c.bits - 1u)) - 1u);
-        return whole_of(cut_to(p, planes, R(-1.0), R(1.0), value) * most) &
-               ((1u << c.bits) - 1u);
-    }
-    const real most = (real)((1u << c.bits) - 1u);
-    bits = whole_of(cut_to(p, planes, R(0.0), R(1.0), value) * most);
+    if (c.number == TL_NUMBER_SNORM)
+        return snorm_bits(cut_to(p, planes, R(-1.0), R(1.0), value), c.bits);
+    const word32 bits = unorm_bits(cut_to(p, planes, R(0.0), R(1.0), value), c.bits);
     return c.number == TL_NUMBER_BYTES24 ? swapped_bytes24(bits) : bits;
 }
 
@@ -98,34 +78,13 @@ TL_INLINE void put_three(tl_packing *p, const tl_attribute *a, tl_u32 first, vec
 
 /* --- normals ----------------------------------------------------------------------------------- */
 
-TL_INLINE word32 none_of(tl_channel c)
-{
-    return 1u << (c.bits - 1u);
-}
-
-/* Of the four points of the grid around e the one that is nearest to v. */
 TL_INLINE void put_octahedron(tl_packing *p, vec3 v)
 {
     const tl_channel first = p->layout->normal.channels[0];
     const tl_channel second = p->layout->normal.channels[1];
-    const real most = (real)((1u << (first.bits - 1u)) - 1u);
-    const vec2 e = octahedron_of(v);
-    real best = R(-2.0);
-    vec2 nearest = e;
-    for (int corner = 0; corner < 4; corner++) {
-        const real x = floor(e.x * most) + (real)(corner & 1),
-                   y = floor(e.y * most) + (real)(corner >> 1);
-        if (x > most || y > most)
-            continue;
-        const vec2 at = {x / most, y / most};
-        const real cosine = dot3(v, unit3(direction_of_octahedron(at)));
-        if (cosine > best) {
-            best = cosine;
-            nearest = at;
-        }
-    }
-    put(p, first, 0u, nearest.x);
-    put(p, second, 0u, nearest.y);
+    const vec2 e = nearest_octahedron(v, (real)((1u << (first.bits - 1u)) - 1u));
+    put(p, first, 0u, e.x);
+    put(p, second, 0u, e.y);
 }
 
 /* v: unit, or 0: no normal; in the layout's space. */
@@ -134,9 +93,7 @@ TL_INLINE void put_normal(tl_packing *p, vec3 v)
     const tl_attribute *a = &p->layout->normal;
     const int is_none = v.x == R(0.0) && v.y == R(0.0) && v.z == R(0.0);
     if (a->code == TL_NORMAL_XYZ && a->channels[0].number == TL_NUMBER_UNORM) {
-        const vec3 raised = {FMA(v.x, R(0.5), R(0.5)), FMA(v.y, R(0.5), R(0.5)),
-                             FMA(v.z, R(0.5), R(0.5))};
-        put_three(p, a, 0u, raised);
+        put_three(p, a, 0u, raised_normal(v));
     } else if (a->code == TL_NORMAL_XYZ) {
         put_three(p, a, 0u, v);
     } else if (a->code == TL_NORMAL_SPHEREMAP) {
@@ -144,7 +101,7 @@ TL_INLINE void put_normal(tl_packing *p, vec3 v)
         put(p, a->channels[0], 0u, is_none ? R(0.0) : e.x);
         put(p, a->channels[1], 0u, is_none ? R(0.0) : e.y);
     } else if (is_none) {
-        put_bits(p, a->channels[0], none_of(a->channels[0]));
+        put_bits(p, a->channels[0], none_bits(a->channels[0].bits));
     } else {
         put_octahedron(p, v);
     }
@@ -167,18 +124,12 @@ TL_INLINE void note_depth(tl_packing *p, real depth)
 TL_INLINE real stored_nearness(const tl_packing *p, real depth)
 {
     const tl_channel c = p->layout->depth.channels[0];
-    const real q = p->needs.orthographic ? (p->far - depth) / (p->far - p->near)
-                                         : (R(1.0) / depth - R(1.0) / p->far) /
-                                               (R(1.0) / p->near - R(1.0) / p->far);
+    const real q = nearness_at(depth, p->near, p->far, p->needs.orthographic != 0u);
     const real step = c.number == TL_NUMBER_FLOAT ? R(0x1p-24) : unorm_step(24u);
-    const real inside = q < R(0.0) ? R(0.0) : q > R(1.0) ? R(1.0) : q;
     if (p->layout->depth.code == TL_DEPTH_REVERSED)
-        return inside > R(0x1p-126) ? inside : R(0x1p-126);
-    const real forward = R(1.0) - inside < R(1.0) - step ? R(1.0) - inside : R(1.0) - step;
-    if (p->layout->depth.code == TL_DEPTH_FORWARD)
-        return forward;
-    const real ndc = R(1.0) - R(2.0) * inside;
-    return ndc < R(1.0) - step ? ndc : R(1.0) - step;
+        return q > R(0x1p-126) ? q : R(0x1p-126);
+    return p->layout->depth.code == TL_DEPTH_FORWARD ? forward_of_nearness(q, step)
+                                                     : ndc_of_nearness(q, step);
 }
 
 TL_INLINE vec3 world_point(const tl_frame *frame, vec3 view)
@@ -220,7 +171,7 @@ TL_INLINE void put_depth(tl_packing *p, real depth, real column, real row)
             note_depth(p, depth);
         put(p, a->channels[0], TL_HAS(TL_DEPTH), is_sky ? sky : stored_nearness(p, depth));
     } else if (a->code == TL_DEPTH_FRACTION) {
-        put(p, a->channels[0], TL_HAS(TL_DEPTH), (depth - p->near) / (p->far - p->near));
+        put(p, a->channels[0], TL_HAS(TL_DEPTH), fraction_of_depth(depth, p->near, p->far));
     } else {
         put(p, a->channels[0], TL_HAS(TL_DEPTH), depth);
     }
@@ -230,41 +181,29 @@ TL_INLINE void put_depth(tl_packing *p, real depth, real column, real row)
 
 TL_INLINE void put_shared(tl_packing *p, tl_u32 first, tl_channel c, vec3 color)
 {
-    const real r = cut_to(p, first, R(0.0), TL_MOST_SHARED, color.x);
-    const real g = cut_to(p, first << 1, R(0.0), TL_MOST_SHARED, color.y);
-    const real b = cut_to(p, first << 2, R(0.0), TL_MOST_SHARED, color.z);
-    const real largest = r > g ? (r > b ? r : b) : (g > b ? g : b);
-    int exponent = 0; /* largest = [1/2, 1) 2^exponent; the mantissa is 9 bits below it */
-    frexp(largest, &exponent);
-    exponent = exponent < -15 || largest == R(0.0) ? -15 : exponent;
-    if (floor(ldexp(largest, 9 - exponent) + R(0.5)) > R(511.0))
-        exponent++;
-    const real scale = ldexp(R(1.0), 9 - exponent);
-    put_bits(p, c,
-             whole_of(r * scale) | whole_of(g * scale) << 9 | whole_of(b * scale) << 18 |
-                 (word32)(exponent + 15) << 27);
+    const vec3 cut = {cut_to(p, first, R(0.0), TL_MOST_SHARED, color.x),
+                      cut_to(p, first << 1, R(0.0), TL_MOST_SHARED, color.y),
+                      cut_to(p, first << 2, R(0.0), TL_MOST_SHARED, color.z)};
+    put_bits(p, c, shared_of(cut));
 }
 
 TL_INLINE void put_color(tl_packing *p, const tl_attribute *a, tl_u32 first, vec3 c)
 {
-    const vec3 roots = {SQRT(c.x), SQRT(c.y), SQRT(c.z)};
-    const real least = c.x < c.y ? (c.x < c.z ? c.x : c.z) : (c.y < c.z ? c.y : c.z);
-    const real greatest = c.x > c.y ? (c.x > c.z ? c.x : c.z) : (c.y > c.z ? c.y : c.z);
     if (a->code == TL_COLOR_SHARED)
         put_shared(p, first, a->channels[0], c);
     else if (a->code == TL_COLOR_GRAY)
-        put(p, a->channels[0], first * 7u, R(0.5) * (least + greatest));
+        put(p, a->channels[0], first * 7u, gray_of(c));
     else if (a->code == TL_COLOR_RGB)
         put_three(p, a, first, c);
     else
-        put_three(p, a, first, roots);
+        put_three(p, a, first, roots_of(c));
 }
 
 TL_INLINE void put_shininess(tl_packing *p, real exponent)
 {
     const tl_attribute *a = &p->layout->shininess;
     put(p, a->channels[0], TL_HAS(TL_SHININESS),
-        a->code == TL_VALUE_LOGARITHM ? log2(R(1.0) + exponent) / TL_LOG2_MOST_LOBE : exponent);
+        a->code == TL_VALUE_LOGARITHM ? logarithm_of_shininess(exponent) : exponent);
 }
 
 /* --- pixels ------------------------------------------------------------------------------------- */

@@ -59,15 +59,6 @@ TL_INLINE vec3 view_point(const tl_frame *frame, vec3 world)
     return p;
 }
 
-/* A vector of any finite length as a unit vector; 0 stays 0. */
-TL_INLINE vec3 unit3(vec3 v)
-{
-    const real length2 = dot3(v, v);
-    const real k = pick(length2 > R(0.0), R(1.0) / SQRT(length2), R(0.0));
-    const vec3 unit = {v.x * k, v.y * k, v.z * k};
-    return unit;
-}
-
 /* A world-space normal of any finite length as a unit vector in view space; 0 stays 0, which no
  * light reaches. Rotation, squares and division: unit to within 2u. */
 TL_INLINE vec3 view_normal(const tl_frame *frame, vec3 world)
