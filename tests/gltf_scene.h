@@ -154,7 +154,7 @@ static inline tl_status shoot_text(const char *name,
     return shoot(path, options, out);
 }
 
-static inline float pixel_of(const shot *taken, enum tl_plane plane, uint32_t x, uint32_t y)
+static inline float shown_at(const shot *taken, enum tl_plane plane, uint32_t x, uint32_t y)
 {
     const float *const values = tl_gbuffer_plane(taken->gbuffer, plane);
     assert_non_null(values);

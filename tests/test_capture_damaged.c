@@ -8,7 +8,7 @@
 #include <ftw.h>
 #include <sys/stat.h>
 
-static const tl_capture_options options = {64, 48, NULL};
+static const tl_capture_options options = {.width = 64, .height = 48};
 
 enum { MAX_MODELS = 1024 };
 static char *models[MAX_MODELS];

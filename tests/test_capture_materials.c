@@ -2,12 +2,11 @@
  *
  * The square fills the picture under an orthographic camera, so that pixel (x, y) looks at texture
  * coordinate ((x + 0.5) / SIZE, (y + 0.5) / SIZE). */
-#include "gltf_scene.h"
-#include "png_bytes.h"
+#include "gltf_textures.h"
 
 enum { SIZE = 64, CENTER = SIZE / 2 };
 
-static const tl_capture_options options = {SIZE, SIZE, NULL};
+static const tl_capture_options options = {.width = SIZE, .height = SIZE};
 
 /* The scene with an orthographic camera that fits it, and other JSON before its materials. */
 static char *flat_scene(const square_data *data, const char *extra)
@@ -23,23 +22,6 @@ static char *flat_scene(const square_data *data, const char *extra)
     text = edited(text, "\"materials\"", before);
     free(before);
     return text;
-}
-
-/* JSON of one texture from these pixels, looked up without a filter. The caller frees it. */
-static char *texture_json(const uint8_t *rgba, uint32_t width, uint32_t height)
-{
-    const png_bytes png = png_encode(rgba, width, height);
-    char *const bytes = base64(png.data, png.size);
-    char *const json = malloc(strlen(bytes) + 256);
-    assert_non_null(json);
-    sprintf(json,
-            "\"textures\":[{\"source\":0,\"sampler\":0}],\"samplers\":[{\"magFilter\":9728,"
-            "\"minFilter\":9728,\"wrapS\":33071}],\"images\":[{\"uri\":\"data:image/png;base64,"
-            "%s\"}],",
-            bytes);
-    free(bytes);
-    free(png.data);
-    return json;
 }
 
 static void assert_near(const char *what, float got, double want, double tolerance)
@@ -101,7 +83,7 @@ static void factors_come_exactly(void **state)
         if (taken.gbuffer->present != factors[i].present)
             fail_msg("%s: planes %x, want %x", factors[i].name, taken.gbuffer->present,
                      factors[i].present);
-        assert_near(factors[i].name, pixel_of(&taken, factors[i].plane, CENTER, CENTER),
+        assert_near(factors[i].name, shown_at(&taken, factors[i].plane, CENTER, CENTER),
                     factors[i].want, 0.0);
         shot_clear(&taken);
         free(text);
@@ -154,7 +136,7 @@ static void textures_are_decoded(void **state)
             {"emission", TL_EMISSIVE_B, 0.5 * srgb_to_linear(b)},
         };
         for (size_t i = 0; i < COUNT_OF(wanted); i++)
-            assert_near(wanted[i].name, pixel_of(&taken, wanted[i].plane, x, 5), wanted[i].want,
+            assert_near(wanted[i].name, shown_at(&taken, wanted[i].plane, x, 5), wanted[i].want,
                         texture_bound);
     }
     shot_clear(&taken);
@@ -176,7 +158,7 @@ static void filters_are_fine(void **state)
     capture_ok(text, &taken);
     for (uint32_t x = 0; x < SIZE; x++) {
         const double u = fmin(fmax(2 * (x + 0.5) / SIZE - 0.5, 0), 1);
-        assert_near("filtered roughness", pixel_of(&taken, TL_ROUGHNESS, x, 5),
+        assert_near("filtered roughness", shown_at(&taken, TL_ROUGHNESS, x, 5),
                     (100 + 10 * u) / 255, texture_bound);
     }
     shot_clear(&taken);
@@ -244,7 +226,7 @@ static void lookups_find_their_texels(void **state)
         capture_ok(text, &taken);
         for (uint32_t k = 0; k < 4; k++)
             assert_near(lookups[i].name,
-                        pixel_of(&taken, TL_ROUGHNESS, SIZE / 4 + k % 2 * SIZE / 2,
+                        shown_at(&taken, TL_ROUGHNESS, SIZE / 4 + k % 2 * SIZE / 2,
                                  SIZE / 4 + k / 2 * SIZE / 2),
                         60 * lookups[i].quarters[k] / 255, texture_bound);
         shot_clear(&taken);
@@ -264,7 +246,7 @@ static void a_missing_image_is_told(void **state)
                   "\"baseColorTexture\":{\"index\":0},\"metallicFactor\"");
     capture_ok(text, &taken);
     assert_non_null(strstr(taken.notices.text, "absent.png"));
-    assert_near("factor alone", pixel_of(&taken, TL_ALBEDO_R, CENTER, CENTER), 0.25, 0.0);
+    assert_near("factor alone", shown_at(&taken, TL_ALBEDO_R, CENTER, CENTER), 0.25, 0.0);
     shot_clear(&taken);
     free(text);
 }
@@ -301,7 +283,7 @@ static void alpha_makes_holes(void **state)
                       "\"baseColorTexture\":{\"index\":0},\"metallicFactor\"");
         capture_ok(text, &taken);
         for (uint32_t x = 0; x < SIZE; x++)
-            if (isfinite(pixel_of(&taken, TL_DEPTH, x, 9)) != ((int)(4 * x) >= holes[i].least))
+            if (isfinite(shown_at(&taken, TL_DEPTH, x, 9)) != ((int)(4 * x) >= holes[i].least))
                 fail_msg("%s: alpha %u is %s", holes[i].name, 4 * x,
                          (int)(4 * x) >= holes[i].least ? "a hole" : "there");
         assert_int_equal(taken.notices.count, holes[i].notices);
@@ -335,9 +317,9 @@ static void sides_are_told_apart(void **state)
         snprintf(part, sizeof part, "%s\"name\":\"paint\"", sides[i].material);
         text = edited(text, "\"name\":\"paint\"", part);
         capture_ok(text, &taken);
-        assert_near(sides[i].name, pixel_of(&taken, TL_NORMAL_Z, CENTER, CENTER),
+        assert_near(sides[i].name, shown_at(&taken, TL_NORMAL_Z, CENTER, CENTER),
                     sides[i].normal_z, 4 * 0x1p-24);
-        assert_int_equal(isfinite(pixel_of(&taken, TL_DEPTH, CENTER, CENTER)) != 0,
+        assert_int_equal(isfinite(shown_at(&taken, TL_DEPTH, CENTER, CENTER)) != 0,
                          sides[i].normal_z != 0);
         shot_clear(&taken);
         free(text);
@@ -362,24 +344,6 @@ static const struct {
     {"stretched", "\"scale\":[3,1,1],", {{0, 1}, {1, 1}, {1, 0}, {0, 0}}, 1, 1, 1, 1, 1},
     {"scaled", "", {{0, 1}, {1, 1}, {1, 0}, {0, 0}}, 1, 1, 1, 1, 0.25},
 };
-
-static char *with_tangents(char *text, float x, float w)
-{
-    const float tangents[4][4] = {{x, 0, 0, w}, {x, 0, 0, w}, {x, 0, 0, w}, {x, 0, 0, w}};
-    char *const encoded = base64(tangents, sizeof tangents), buffer[256];
-    text = edited(text, "\"TEXCOORD_0\":2", "\"TEXCOORD_0\":2,\"TANGENT\":4");
-    text = edited(text, "\"type\":\"SCALAR\"}",
-                  "\"type\":\"SCALAR\"},\n {\"bufferView\":4,\"componentType\":5126,"
-                  "\"count\":4,\"type\":\"VEC4\"}");
-    text = edited(text, "\"byteOffset\":128,\"byteLength\":12}",
-                  "\"byteOffset\":128,\"byteLength\":12},\n {\"buffer\":1,\"byteLength\":64}");
-    snprintf(buffer, sizeof buffer,
-             "\"byteLength\":140},{\"byteLength\":64,"
-             "\"uri\":\"data:application/octet-stream;base64,%s\"}]",
-             encoded);
-    free(encoded);
-    return edited(text, "\"byteLength\":140}]", buffer);
-}
 
 /* The lean of one case, with the file's tangents or without any. */
 static void check_lean(size_t i, const char *texture, int has_tangents)
@@ -406,7 +370,7 @@ static void check_lean(size_t i, const char *texture, int has_tangents)
     const double tolerance = has_tangents ? 16 * 0x1p-24 : 8 * 0x1p-19;
     for (int k = 0; k < 3; k++)
         assert_near(leans[i].name,
-                    pixel_of(&taken, (enum tl_plane)(TL_NORMAL_X + k), CENTER, CENTER), want[k],
+                    shown_at(&taken, (enum tl_plane)(TL_NORMAL_X + k), CENTER, CENTER), want[k],
                     tolerance);
     shot_clear(&taken);
     free(text);
@@ -485,9 +449,9 @@ static void vertex_colors_tint(void **state)
                  4 * colors[i].stride, encoded);
         text = edited(text, "\"byteLength\":140}]", part);
         capture_ok(text, &taken);
-        assert_near(colors[i].name, pixel_of(&taken, TL_ALBEDO_R, CENTER, CENTER),
+        assert_near(colors[i].name, shown_at(&taken, TL_ALBEDO_R, CENTER, CENTER),
                     0.25 * colors[i].red, 4 * 0x1p-24);
-        assert_near(colors[i].name, pixel_of(&taken, TL_ALBEDO_G, CENTER, CENTER),
+        assert_near(colors[i].name, shown_at(&taken, TL_ALBEDO_G, CENTER, CENTER),
                     0.5 * colors[i].green, 4 * 0x1p-24);
         shot_clear(&taken);
         free(encoded);
@@ -518,7 +482,7 @@ static void sparse_accessors_apply(void **state)
              encoded);
     text = edited(text, "\"byteLength\":140}]", part);
     capture_ok(text, &taken);
-    assert_near("sparse depth", pixel_of(&taken, TL_DEPTH, CENTER, CENTER), 3.0, 4 * 0x1p-24);
+    assert_near("sparse depth", shown_at(&taken, TL_DEPTH, CENTER, CENTER), 3.0, 4 * 0x1p-24);
     shot_clear(&taken);
     free(encoded);
     free(text);
@@ -533,9 +497,9 @@ static void missing_normals_are_flat(void **state)
         data.positions[k][2] = 0.5f * data.positions[k][0];
     char *const text = edited(flat_scene(&data, ""), "\"NORMAL\":1,", "");
     capture_ok(text, &taken);
-    assert_near("x", pixel_of(&taken, TL_NORMAL_X, 20, 40), -1 / sqrt(5), 4 * 0x1p-24);
-    assert_near("y", pixel_of(&taken, TL_NORMAL_Y, 20, 40), 0, 4 * 0x1p-24);
-    assert_near("z", pixel_of(&taken, TL_NORMAL_Z, 20, 40), 2 / sqrt(5), 4 * 0x1p-24);
+    assert_near("x", shown_at(&taken, TL_NORMAL_X, 20, 40), -1 / sqrt(5), 4 * 0x1p-24);
+    assert_near("y", shown_at(&taken, TL_NORMAL_Y, 20, 40), 0, 4 * 0x1p-24);
+    assert_near("z", shown_at(&taken, TL_NORMAL_Z, 20, 40), 2 / sqrt(5), 4 * 0x1p-24);
     shot_clear(&taken);
     free(text);
 }

@@ -252,7 +252,7 @@ static const double normal_bound = 6 * 0x1p-24;
 
 static int check_pixel(size_t i, const shot *taken, uint32_t x, uint32_t y)
 {
-    const float got = pixel_of(taken, TL_DEPTH, x, y);
+    const float got = shown_at(taken, TL_DEPTH, x, y);
     double depth, normal[3];
     const int hit = meet(i, x + 0.5, y + 0.5, &depth, normal);
     if (hit != (isfinite(got) != 0))
@@ -264,7 +264,7 @@ static int check_pixel(size_t i, const shot *taken, uint32_t x, uint32_t y)
         fail_msg("%s: pixel %u, %u: depth %.9g, want %.9g", cases[i].name, x, y, (double)got,
                  depth);
     for (int k = 0; k < 3; k++) {
-        const float n = pixel_of(taken, (enum tl_plane)(TL_NORMAL_X + k), x, y);
+        const float n = shown_at(taken, (enum tl_plane)(TL_NORMAL_X + k), x, y);
         if (!(fabs((double)n - normal[k]) <= normal_bound))
             fail_msg("%s: pixel %u, %u: normal[%d] %.9g, want %.9g", cases[i].name, x, y, k,
                      (double)n, normal[k]);
@@ -274,7 +274,7 @@ static int check_pixel(size_t i, const shot *taken, uint32_t x, uint32_t y)
 
 static void agrees_with_its_rays(void **state)
 {
-    const tl_capture_options options = {WIDTH, HEIGHT, NULL};
+    const tl_capture_options options = {.width = WIDTH, .height = HEIGHT};
     (void)state;
     for (size_t i = 0; i < COUNT_OF(cases); i++) {
         char *const text = scene_of(i);

@@ -34,7 +34,8 @@ static void cameras_are_found(void **state)
     char *const text = scene_of_two_cameras();
     (void)state;
     for (size_t i = 0; i < COUNT_OF(choices); i++) {
-        const tl_capture_options options = {WIDTH, HEIGHT, choices[i].wanted};
+        const tl_capture_options options = {
+            .width = WIDTH, .height = HEIGHT, .camera = choices[i].wanted};
         shot taken;
         ASSERT_OK(shoot_text("view", text, &options, &taken), taken.err);
         const tl_camera *const camera = &taken.gbuffer->camera;
@@ -52,7 +53,7 @@ static void cameras_are_found(void **state)
 
 static void far_may_be_infinite(void **state)
 {
-    const tl_capture_options options = {WIDTH, HEIGHT, NULL};
+    const tl_capture_options options = {.width = WIDTH, .height = HEIGHT};
     shot taken;
     (void)state;
     char *text = edited(square_scene(&square), ",\"zfar\":100", "");
@@ -60,7 +61,7 @@ static void far_may_be_infinite(void **state)
     text = edited(text, "\"mesh\":0", "\"mesh\":0,\"scale\":[10000,10000,1]");
     ASSERT_OK(shoot_text("view", text, &options, &taken), taken.err);
     assert_true(isinf(taken.gbuffer->camera.far));
-    assert_true(fabsf(pixel_of(&taken, TL_DEPTH, WIDTH / 2, HEIGHT / 2) - 20000.0f) < 0.01f);
+    assert_true(fabsf(shown_at(&taken, TL_DEPTH, WIDTH / 2, HEIGHT / 2) - 20000.0f) < 0.01f);
     shot_clear(&taken);
     free(text);
 }
@@ -86,7 +87,7 @@ static void a_framed_view_shows_all(void **state)
     for (size_t i = 0; i < COUNT_OF(framed) * COUNT_OF(sizes); i++) {
         const size_t which = i / COUNT_OF(sizes);
         const uint32_t width = sizes[i % COUNT_OF(sizes)][0], height = 120 - width;
-        const tl_capture_options options = {width, height, NULL};
+        const tl_capture_options options = {.width = width, .height = height};
         uint32_t covered = 0, rim = 0;
         char part[128];
         shot taken;
@@ -96,7 +97,7 @@ static void a_framed_view_shows_all(void **state)
         ASSERT_OK(shoot_text("view", text, &options, &taken), taken.err);
         for (uint32_t y = 0; y < height; y++)
             for (uint32_t x = 0; x < width; x++) {
-                const int hit = isfinite(pixel_of(&taken, TL_DEPTH, x, y)) != 0;
+                const int hit = isfinite(shown_at(&taken, TL_DEPTH, x, y)) != 0;
                 covered += (uint32_t)hit;
                 rim += hit && (x == 0 || y == 0 || x == width - 1 || y == height - 1);
             }
@@ -111,7 +112,7 @@ static void a_framed_view_shows_all(void **state)
 
 static void nothing_to_draw_is_sky(void **state)
 {
-    const tl_capture_options options = {WIDTH, HEIGHT, NULL};
+    const tl_capture_options options = {.width = WIDTH, .height = HEIGHT};
     shot taken;
     (void)state;
     char *const text =
@@ -119,9 +120,9 @@ static void nothing_to_draw_is_sky(void **state)
     ASSERT_OK(shoot_text("view", text, &options, &taken), taken.err);
     for (uint32_t y = 0; y < HEIGHT; y++)
         for (uint32_t x = 0; x < WIDTH; x++) {
-            assert_true(isinf(pixel_of(&taken, TL_DEPTH, x, y)));
-            assert_true(same_bits(pixel_of(&taken, TL_ROUGHNESS, x, y), 0.0f));
-            assert_true(same_bits(pixel_of(&taken, TL_NORMAL_Z, x, y), 0.0f));
+            assert_true(isinf(shown_at(&taken, TL_DEPTH, x, y)));
+            assert_true(same_bits(shown_at(&taken, TL_ROUGHNESS, x, y), 0.0f));
+            assert_true(same_bits(shown_at(&taken, TL_NORMAL_Z, x, y), 0.0f));
         }
     shot_clear(&taken);
     free(text);
@@ -131,7 +132,7 @@ static void nothing_to_draw_is_sky(void **state)
 static void bands_join(void **state)
 {
     enum { WIDE = 16384, HIGH = 1040 }; /* a band is 1024 rows */
-    const tl_capture_options options = {WIDE, HIGH, NULL};
+    const tl_capture_options options = {.width = WIDE, .height = HIGH};
     shot taken;
     (void)state;
     char *text = edited(square_scene(&square), perspective,
@@ -145,7 +146,7 @@ static void bands_join(void **state)
     for (uint32_t y = 1000; y < HIGH; y++)
         for (uint32_t x = 0; x < WIDE; x += 911) {
             const double up = 1 - 2 * (y + 0.5) / HIGH, want = 4 - up * tan(0.5);
-            const float got = pixel_of(&taken, TL_DEPTH, x, y);
+            const float got = shown_at(&taken, TL_DEPTH, x, y);
             if (!(fabs((double)got / want - 1) <= 16 * 0x1p-24))
                 fail_msg("row %u: depth %.9g, want %.9g", y, (double)got, want);
         }
@@ -191,7 +192,7 @@ static void lights_come_along(void **state)
           .inner_cone = 0.25f,
           .outer_cone = 0.5f}},
     };
-    const tl_capture_options options = {WIDTH, HEIGHT, NULL};
+    const tl_capture_options options = {.width = WIDTH, .height = HEIGHT};
     (void)state;
     for (size_t i = 0; i < COUNT_OF(lights); i++) {
         char *const text = scene_of_light(lights[i].json);
@@ -225,7 +226,7 @@ static void bad_lights_are_refused(void **state)
         {"{\"type\":\"point\",\"color\":[1,1]}", "color"},
         {"{\"type\":\"spot\"}", "spot"},
     };
-    const tl_capture_options options = {WIDTH, HEIGHT, NULL};
+    const tl_capture_options options = {.width = WIDTH, .height = HEIGHT};
     (void)state;
     for (size_t i = 0; i < COUNT_OF(lights); i++) {
         char *const text = scene_of_light(lights[i][0]);
@@ -240,7 +241,7 @@ static void bad_lights_are_refused(void **state)
 
 static void unknown_extensions_are_told_once(void **state)
 {
-    const tl_capture_options options = {WIDTH, HEIGHT, NULL};
+    const tl_capture_options options = {.width = WIDTH, .height = HEIGHT};
     shot taken;
     (void)state;
     char *const text = edited(square_scene(&square), "\"scene\"",

@@ -157,7 +157,7 @@ static const struct {
 
 static void refuses_with_the_word(void **state)
 {
-    const tl_capture_options options = {8, 8, NULL};
+    const tl_capture_options options = {.width = 8, .height = 8};
     (void)state;
     for (size_t i = 0; i < COUNT_OF(cases); i++) {
         char *const text = edited(square_scene(&square), cases[i].old, cases[i].new);
@@ -191,7 +191,7 @@ static void refuses_data(void **state)
         {"index out of range", "index 2 is vertex 4", 1, 0, 4},
         {"largest index", "index 2 is vertex 65535", 1, 0, 65535},
     };
-    const tl_capture_options options = {8, 8, NULL};
+    const tl_capture_options options = {.width = 8, .height = 8};
     (void)state;
     for (size_t i = 0; i < COUNT_OF(bad); i++) {
         square_data data = square;
@@ -232,7 +232,7 @@ static void refuses_images(void **state)
         {"cut off", "damaged", good.data, 44, TL_ERR_FORMAT},
         {"damaged", "damaged", damaged, good.size, TL_ERR_FORMAT},
     };
-    const tl_capture_options options = {8, 8, NULL};
+    const tl_capture_options options = {.width = 8, .height = 8};
     (void)state;
     for (size_t i = 0; i < COUNT_OF(bad); i++) {
         char *const bytes = base64(bad[i].data, bad[i].size);
@@ -260,7 +260,7 @@ static void refuses_images(void **state)
 static void refuses_depth(void **state)
 {
     enum { DEPTH = 1000000 };
-    const tl_capture_options options = {8, 8, NULL};
+    const tl_capture_options options = {.width = 8, .height = 8};
     char *const brackets = malloc(DEPTH + 32);
     shot taken;
     (void)state;
@@ -277,8 +277,10 @@ static void refuses_depth(void **state)
 
 static void refuses_what_is_no_file(void **state)
 {
-    const tl_capture_options good = {8, 8, NULL}, wide = {TL_MAX_EXTENT + 1, 8, NULL};
-    const tl_capture_options lopsided = {0, 8, NULL}, other = {8, 8, "no such camera"};
+    const tl_capture_options good = {.width = 8, .height = 8},
+                             wide = {.width = TL_MAX_EXTENT + 1, .height = 8};
+    const tl_capture_options lopsided = {.width = 0, .height = 8},
+                             other = {.width = 8, .height = 8, .camera = "no such camera"};
     char path[512], *text = square_scene(&square);
     shot taken;
     (void)state;

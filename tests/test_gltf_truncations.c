@@ -6,7 +6,7 @@
 
 #include "png_bytes.h"
 
-static const tl_capture_options options = {4, 4, NULL};
+static const tl_capture_options options = {.width = 4, .height = 4};
 
 static void append_32(png_bytes *to, uint32_t value)
 {

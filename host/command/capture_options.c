@@ -2,7 +2,7 @@
 
 #include "values.h"
 
-enum { OPTION_SIZE = 256, OPTION_CAMERA };
+enum { OPTION_SIZE = 256, OPTION_CAMERA, OPTION_LAYOUT };
 
 static error_t parse(int key, char *text, struct argp_state *state)
 {
@@ -12,6 +12,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         value_size(state, "--size", text, &options->width, &options->height);
         return 0;
     case OPTION_CAMERA: options->camera = text; return 0;
+    case OPTION_LAYOUT: options->layout = value_layout(state, "--layout", text); return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
@@ -20,6 +21,10 @@ static const struct argp_option options_table[] = {
     {"size", OPTION_SIZE, "WIDTHxHEIGHT", 0, "Pixels, each 1 to 16384 (default 1280x720)", 0},
     {"camera", OPTION_CAMERA, "NAME|INDEX", 0,
      "A camera of the file (default: the first of its scene, else a view of the whole scene)",
+     0},
+    {"layout", OPTION_LAYOUT, "NAME", 0,
+     "How pixels are packed: a name of `tilelight layouts', whose render targets are drawn to "
+     "(default: float, which is full float)",
      0},
     {0},
 };

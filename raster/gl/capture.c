@@ -1,6 +1,7 @@
 #include "tilelight/capture.h"
 
 #include "geometry_pass.h"
+#include "tilelight/layouts.h"
 #include "try.h"
 
 #include <stdio.h>
@@ -31,10 +32,51 @@ static tl_status check_size(const tl_capture_options *options, tl_error *err)
     return TL_OK;
 }
 
+/* What layouts may have no place for. */
+static const struct {
+    uint32_t planes;
+    const char *name;
+} droppable[] = {
+    {TL_GROUP_PHONG, "specular, shininess"},
+    {TL_GROUP_OCCLUSION, "ao"},
+    {TL_GROUP_EMISSIVE, "emissive"},
+};
+
+static void tell_dropped(const tl_model *model,
+                         enum tl_layout_name layout,
+                         uint32_t dropped,
+                         const tl_notices *notices)
+{
+    char list[64] = "";
+    size_t length = 0;
+    for (size_t i = 0; i < sizeof droppable / sizeof droppable[0]; i++)
+        if (dropped & droppable[i].planes)
+            length += (size_t)snprintf(list + length, sizeof list - length, "%s%s",
+                                       length ? ", " : "", droppable[i].name);
+    if (length > 0)
+        tl_notice(notices, "%s: dropped, for want of a place in layout %s: %s",
+                  model->gltf->path, tl_layout_word(layout), list);
+}
+
+/* What of the scene the layout has a place for; metal-rough becomes Phong where it has none for that. */
+static uint32_t stored_planes(const tl_model *model,
+                              enum tl_layout_name layout,
+                              const tl_notices *notices)
+{
+    const uint32_t can_hold = tl_layout_planes(layout);
+    uint32_t found = planes_of(model);
+    if (!(can_hold & TL_GROUP_METAL_ROUGH))
+        found = (found & ~TL_GROUP_METAL_ROUGH) | TL_GROUP_PHONG;
+    tell_dropped(model, layout, found & ~can_hold, notices);
+    return found & can_hold;
+}
+
 static tl_status render(const tl_model *model,
                         const tl_camera *camera,
+                        enum tl_layout_name layout,
                         tl_gbuffer **out,
                         tl_timings *timings,
+                        const tl_notices *notices,
                         tl_error *err)
 {
     tl_status status = TL_OK;
@@ -42,9 +84,10 @@ static tl_status render(const tl_model *model,
     tl_scene_objects objects = {0};
     tl_gbuffer *gbuffer = NULL;
 
+    TRY(tl_gbuffer_create_packed(camera, layout, stored_planes(model, layout, notices),
+                                 &gbuffer, err));
     TRY(tl_gl_open(&gl, err));
     TRY(tl_upload(gl, model, &objects, timings, err));
-    TRY(tl_gbuffer_create(camera, planes_of(model), &gbuffer, err));
     TRY(tl_geometry_pass(gl, model, &objects, gbuffer, timings, err));
 
     *out = gbuffer;
@@ -77,7 +120,7 @@ tl_status tl_capture(const char *path,
     TRY(tl_model_lights(model, &found, err));
     TRY(tl_model_camera(model, options->camera, width, height, notices, &camera, err));
     tl_timings_end(timings, "load", clock);
-    TRY(render(model, &camera, out, timings, err));
+    TRY(render(model, &camera, options->layout, out, timings, notices, err));
 
     tl_light_set_clear(lights);
     *lights = found;

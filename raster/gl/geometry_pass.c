@@ -28,16 +28,20 @@ typedef struct pass {
     const tl_model *model;
     const tl_scene_objects *objects;
     const tl_camera *camera;
+    enum tl_layout_name layout;
     tl_programs *programs;
+    tl_depth_buffer depth;
     float clip_from_view[4][4], world_from_view[3][3];
-    placed_draw *draws; /* [model->draw_count] */
+    float eye[3];         /* in world space, m */
+    float depth_range[3]; /* near, far in m; 1: parallel rays */
+    placed_draw *draws;   /* [model->draw_count] */
 } pass;
 
 /* --- matrices ---------------------------------------------------------------------------------- */
 
 /* Reversed depth: the near plane is 1, the far plane or infinity 0, so that floating-point depth is
- * about as fine, relatively, everywhere. */
-static void find_projection(const tl_camera *camera, float out[4][4])
+ * about as fine, relatively, everywhere. Forward depth is 1 less that: w less z. */
+static void find_projection(const tl_camera *camera, bool is_reversed, float out[4][4])
 {
     const double l = (double)camera->left, r = (double)camera->right;
     const double b = (double)camera->bottom, t = (double)camera->top;
@@ -45,15 +49,35 @@ static void find_projection(const tl_camera *camera, float out[4][4])
     const bool flat = camera->projection == TL_ORTHOGRAPHIC;
     const double slope = isinf(f) ? 0.0 : (flat ? 1.0 : n) / (f - n);
     const double offset = isinf(f) ? (flat ? 1.0 : n) : (flat ? 1.0 : n) * f / (f - n);
-    const double m[4][4] = {
+    double m[4][4] = {
         {2 / (r - l), 0, flat ? 0 : (r + l) / (r - l), flat ? -(r + l) / (r - l) : 0},
         {0, 2 / (t - b), flat ? 0 : (t + b) / (t - b), flat ? -(t + b) / (t - b) : 0},
         {0, 0, slope, offset},
         {0, 0, flat ? 0 : -1, flat ? 1 : 0},
     };
+    for (int j = 0; j < 4 && !is_reversed; j++)
+        m[2][j] = m[3][j] - m[2][j];
     for (int i = 0; i < 4; i++)
         for (int j = 0; j < 4; j++)
             out[i][j] = (float)m[i][j];
+}
+
+/* The rotation's rows are orthonormal, so its inverse is its transpose. */
+static void find_view(pass *p)
+{
+    const tl_camera *const camera = p->camera;
+    const double origin[3] = {0.0, 0.0, 0.0};
+    double eye[3];
+    tl_camera_world_point(camera, origin, eye);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            p->world_from_view[i][j] = camera->view_from_world[j][i];
+    for (int i = 0; i < 3; i++)
+        p->eye[i] = (float)eye[i];
+    p->depth_range[0] = camera->near;
+    p->depth_range[1] = camera->far;
+    p->depth_range[2] = camera->projection == TL_ORTHOGRAPHIC ? 1.0f : 0.0f;
+    find_projection(camera, p->depth.is_reversed, p->clip_from_view);
 }
 
 /* Directions only matter: brought near 1 in double, they cannot leave float's range. */
@@ -156,6 +180,8 @@ static void set_surface(const pass *p, const placed_draw *draw)
     const GLfloat factors[4] = {material->metallic, material->roughness, material->normal_scale,
                                 material->occlusion_strength};
     p->gl->UniformMatrix3fv(UNIFORM_WORLD_FROM_VIEW, 1, GL_TRUE, &p->world_from_view[0][0]);
+    p->gl->Uniform3fv(UNIFORM_EYE, 1, p->eye);
+    p->gl->Uniform3fv(UNIFORM_DEPTH_RANGE, 1, p->depth_range);
     p->gl->Uniform3fv(UNIFORM_EMISSIVE, 1, material->emissive);
     p->gl->Uniform4fv(UNIFORM_FACTORS, 1, factors);
 }
@@ -187,10 +213,12 @@ static tl_status draw_one(const pass *p, tl_pass which, const placed_draw *draw,
 
 static tl_status draw_all(const pass *p, tl_pass which, tl_error *err)
 {
+    /* What is on the far plane, which the buffer is wiped to, is equal to it in the material pass. */
+    const GLenum nearer = p->depth.is_reversed ? GL_GREATER : GL_LESS;
     const GLboolean colors = which == TL_SURFACE_PASS;
     p->gl->ColorMask(colors, colors, colors, colors);
     p->gl->DepthMask(which == TL_DEPTH_PASS);
-    p->gl->DepthFunc(which == TL_DEPTH_PASS ? GL_GREATER : GL_EQUAL);
+    p->gl->DepthFunc(which == TL_DEPTH_PASS ? nearer : GL_EQUAL);
     for (size_t i = 0; i < p->model->draw_count; i++) {
         const tl_status status = draw_one(p, which, &p->draws[i], err);
         if (status != TL_OK)
@@ -204,6 +232,10 @@ static void set_state(const tl_gl *gl)
 {
     gl->ClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
     gl->Enable(GL_DEPTH_TEST);
+    gl->Enable(GL_STENCIL_TEST); /* where there is a stencil buffer: 1 is a surface */
+    gl->StencilFunc(GL_ALWAYS, 1, 0xff);
+    gl->StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    gl->Disable(GL_DITHER);
     gl->CullFace(GL_BACK);
     gl->VertexAttrib4f(ATTRIBUTE_COLOR, 1.0f, 1.0f, 1.0f, 1.0f); /* where a part has none */
 }
@@ -218,7 +250,7 @@ static tl_status draw_band(const pass *p,
     p->gl->Viewport(0, -(GLint)first, (GLsizei)p->camera->width, (GLsizei)p->camera->height);
     p->gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     p->gl->DepthMask(GL_TRUE);
-    tl_targets_wipe(p->gl, targets);
+    tl_targets_wipe(p->gl, targets, p->layout);
     TRY(draw_all(p, TL_DEPTH_PASS, err));
     TRY(draw_all(p, TL_SURFACE_PASS, err));
     p->gl->Finish(); /* so that the stages' times are their own */
@@ -236,7 +268,12 @@ tl_status tl_geometry_pass(const tl_gl *gl,
 {
     tl_status status = TL_OK;
     tl_targets targets = {0};
-    pass p = {.gl = gl, .model = model, .objects = objects, .camera = &gbuffer->camera};
+    pass p = {.gl = gl,
+              .model = model,
+              .objects = objects,
+              .camera = &gbuffer->camera,
+              .layout = gbuffer->layout,
+              .depth = tl_depth_buffer_of(gbuffer->layout)};
     double clock = tl_seconds();
 
     p.programs = calloc(1, sizeof *p.programs);
@@ -246,10 +283,8 @@ tl_status tl_geometry_pass(const tl_gl *gl,
                          model->gltf->path);
         goto done;
     }
-    find_projection(p.camera, p.clip_from_view);
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            p.world_from_view[i][j] = p.camera->view_from_world[j][i];
+    tl_output_stage(gbuffer->layout, gbuffer->present, p.programs->output);
+    find_view(&p);
     prepare_draws(&p);
     set_state(gl);
     TRY(tl_targets_create(gl, gbuffer, &targets, err));

@@ -6,7 +6,7 @@
 
 #include "tilelight/gbuffer.h"
 
-/* Fills the planes that `gbuffer` has, as its camera sees the model. Stages "raster" and "readback".
+/* Fills the words of `gbuffer`, which is as it was created, as its camera sees the model. Stages "raster" and "readback".
  * Fails with TL_ERR_DEVICE or TL_ERR_MEMORY. */
 tl_status tl_geometry_pass(const tl_gl *gl,
                            const tl_model *model,

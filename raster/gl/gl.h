@@ -19,7 +19,10 @@
     X(BindVertexArray, BINDVERTEXARRAY)                                     \
     X(BlendFunc, BLENDFUNC)                                                 \
     X(CheckNamedFramebufferStatus, CHECKNAMEDFRAMEBUFFERSTATUS)             \
+    X(ClampColor, CLAMPCOLOR)                                               \
+    X(ClearNamedFramebufferfi, CLEARNAMEDFRAMEBUFFERFI)                     \
     X(ClearNamedFramebufferfv, CLEARNAMEDFRAMEBUFFERFV)                     \
+    X(ClearTexImage, CLEARTEXIMAGE)                                         \
     X(ClipControl, CLIPCONTROL)                                             \
     X(ColorMask, COLORMASK)                                                 \
     X(CompileShader, COMPILESHADER)                                         \
@@ -64,6 +67,8 @@
     X(ReadPixels, READPIXELS)                                               \
     X(SamplerParameteri, SAMPLERPARAMETERI)                                 \
     X(ShaderSource, SHADERSOURCE)                                           \
+    X(StencilFunc, STENCILFUNC)                                             \
+    X(StencilOp, STENCILOP)                                                 \
     X(TextureStorage2D, TEXTURESTORAGE2D)                                   \
     X(TextureSubImage2D, TEXTURESUBIMAGE2D)                                 \
     X(Uniform1f, UNIFORM1F)                                                 \

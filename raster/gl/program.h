@@ -3,6 +3,7 @@
 #define TL_PROGRAM_H
 
 #include "gl.h"
+#include "output_stage.h"
 
 /* X(bit, macro in the shaders) */
 #define TL_FEATURES(X)                                     \
@@ -26,6 +27,7 @@ typedef enum tl_pass { TL_DEPTH_PASS, TL_SURFACE_PASS, TL_PASS_COUNT } tl_pass;
 
 /* Programs made so far, by pass and features; 0: not made. They go with the context. */
 typedef struct tl_programs {
+    char output[TL_OUTPUT_STAGE_SIZE]; /* the end of the surface pass (tl_output_stage) */
     GLuint made[TL_PASS_COUNT][1 << TL_FEATURE_COUNT];
 } tl_programs;
 

@@ -28,8 +28,5 @@
 #define UNIFORM_ALPHA_CUTOFF 9
 #define UNIFORM_COORDINATES 10                            /* [SLOT_COUNT] */
 #define UNIFORM_UV (UNIFORM_COORDINATES + SLOT_COUNT)     /* [2 SLOT_COUNT] rows of matrices */
-
-#define TARGET_NORMAL_DEPTH 0
-#define TARGET_ALBEDO_METALLIC 1
-#define TARGET_ROUGHNESS_OCCLUSION 2
-#define TARGET_EMISSIVE 3
+#define UNIFORM_EYE (UNIFORM_UV + 2 * SLOT_COUNT) /* in world space, m */
+#define UNIFORM_DEPTH_RANGE (UNIFORM_EYE + 1)     /* near, far in m; 1: parallel rays */

@@ -12,13 +12,17 @@ extern "C" {
 
 typedef struct tl_capture_options {
     uint32_t width, height; /* px; 0: 1280 x 720 */
-    const char *camera;     /* name or index; NULL: the first of the default scene, else framed */
+    const char *camera; /* name or index; NULL: the first of the default scene, else framed */
+    enum tl_layout_name layout; /* how pixels are packed; 0 is full float */
 } tl_capture_options;
 
 /* Loads `path` (.gltf, .glb), renders its default scene into a G-buffer, and collects its lights.
  * The caller releases *out with tl_gbuffer_destroy and *lights with tl_light_set_clear; *lights
- * is replaced. timings, notices may be NULL. Pixels have been through no repair.
- * Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED (an extension the file requires),
+ * is replaced. timings, notices may be NULL. Pixels have been through no repair. Where the layout has no
+ * place for metallic and roughness they become a Phong material (kernels/material.h); what else it has no
+ * place for is named in a notice.
+ * Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED (an extension the file requires; a layout whose
+ * convention of depth this camera has not),
  * TL_ERR_ARGUMENT (size, camera), TL_ERR_MEMORY or TL_ERR_DEVICE (OpenGL), naming the file and
  * the node, mesh, accessor, image or extension concerned. */
 tl_status tl_capture(const char *path,

@@ -1,4 +1,4 @@
-// Material pass: what the surface is made of, in the order of the targets.
+// Material pass: what the surface is made of. How it is stored comes behind (layout.glsl).
 in vec3 view_position;
 in vec3 world_normal;
 in vec4 world_tangent;
@@ -20,10 +20,13 @@ layout(binding = SLOT_OCCLUSION) uniform sampler2D occlusion_texture;
 layout(binding = SLOT_EMISSIVE) uniform sampler2D emissive_texture;
 #endif
 
-layout(location = TARGET_NORMAL_DEPTH) out vec4 normal_depth;
-layout(location = TARGET_ALBEDO_METALLIC) out vec4 albedo_metallic;
-layout(location = TARGET_ROUGHNESS_OCCLUSION) out vec2 roughness_occlusion;
-layout(location = TARGET_EMISSIVE) out vec4 emissive;
+// What a pixel shows.
+struct surface {
+    vec3 position; // view space, m
+    vec3 normal;   // world space; not a number where the file gives none to be had
+    vec3 albedo, specular, emissive;
+    float shininess, metallic, roughness, occlusion;
+};
 
 // The interpolated normal; where the file has none to interpolate, that of the triangle.
 vec3 surface_normal()
@@ -79,7 +82,7 @@ vec3 shading_normal()
     return gl_FrontFacing ? n : -n;
 }
 
-void main()
+surface visible_surface()
 {
     vec4 base = base_color();
     float metallic = factors.x, roughness = factors.y, occlusion = 1.0;
@@ -103,8 +106,6 @@ void main()
     // The interpolated view position is as exact as depth gets here, a few units of 2^-24, and serves
     // every projection: 1 / gl_FragCoord.w is the same number but for orthographic cameras, and
     // undoing the reversed depth adds the roundings of near, far and the quotient.
-    normal_depth = vec4(shading_normal(), -view_position.z);
-    albedo_metallic = vec4(clamp(base.rgb, 0.0, 1.0), metallic);
-    roughness_occlusion = vec2(roughness, occlusion);
-    emissive = vec4(emitted, 1.0);
+    return surface(view_position, shading_normal(), clamp(base.rgb, 0.0, 1.0), vec3(0.0), emitted, 0.0,
+                   metallic, roughness, occlusion);
 }
