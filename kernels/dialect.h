@@ -74,6 +74,7 @@ typedef TL_LANES(TL_INTEGER) integer;
 /* Of words: as signed numbers; the float with these bits; the whole number, below 2^31. */
 typedef TL_LANES(uint) word32;
 #    define WORD_AS_INT(w) TL_PASTE(as_, TL_LANES(int))(w)
+#    define INT_AS_WORD(i) TL_PASTE(as_, TL_LANES(uint))(i)
 #    define WORD_AS_REAL(w) TO_REAL(TL_PASTE(as_, TL_LANES(float))(w))
 #    define WORD_TO_REAL(w) TO_REAL(WORD_AS_INT(w))
 
@@ -164,6 +165,7 @@ TL_INLINE int any_lane(mask which)
 
 typedef uint32_t word32;
 #    define WORD_AS_INT(w) ((int32_t)(w))
+#    define INT_AS_WORD(i) ((word32)(i))
 #    define WORD_TO_REAL(w) ((real)WORD_AS_INT(w))
 
 TL_INLINE real WORD_AS_REAL(word32 w)

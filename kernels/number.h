@@ -47,10 +47,13 @@ TL_INLINE scalar snorm_step(tl_u32 bits)
     return R(1.0) / (scalar)((1u << (bits - 1u)) - 1u);
 }
 
-/* The exponent's bias is 127 in one and 15 in the other; multiplying moves denormals as well. */
-TL_INLINE real value_of_half(word32 h)
+/* The exponent's bias is 127 in one and 15 in the other; multiplying moves denormals as well. The field's
+ * sign is brought to bit 31 and drawn down over three bits, which are dropped: two shifts and a mask for
+ * the lower half of a word, one and a mask for the upper. */
+TL_INLINE real value_of_half(word32 w, tl_u32 shift)
 {
-    return WORD_AS_REAL((h & 0x8000u) << 16 | (h & 0x7fffu) << 13) * R(0x1p112);
+    const word32 drawn = INT_AS_WORD(WORD_AS_INT(w << (16u - shift)) >> 3);
+    return WORD_AS_REAL(drawn & 0x8fffe000u) * R(0x1p112);
 }
 
 TL_INLINE word32 swapped_bytes24(word32 field)
@@ -69,11 +72,11 @@ TL_INLINE real number_value(tl_u32 number, word32 w, tl_u32 shift, tl_u32 bits)
 {
     if (number == TL_NUMBER_SNORM)
         return signed_value(w, shift, bits);
+    if (number == TL_NUMBER_HALF)
+        return value_of_half(w, shift);
     const word32 field = field_of(w, shift, bits);
     if (number == TL_NUMBER_FLOAT)
         return WORD_AS_REAL(field);
-    if (number == TL_NUMBER_HALF)
-        return value_of_half(field);
     if (number == TL_NUMBER_FLOAT24)
         return WORD_AS_REAL(field << 7);
     if (number == TL_NUMBER_BYTES24)
