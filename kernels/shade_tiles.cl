@@ -13,7 +13,11 @@
  *
  * Floor, AVX-512 with two multiply-add pipes: per listed light and block 6 of these instructions,
  * 3 cycles; per kept one 53, and a root and two divisions that block one of the pipes for 10
- * cycles: 32 cycles. */
+ * cycles: 32 cycles.
+ *
+ * Floor of a frame that lights nothing, 1920 x 1080 at 60 GB/s: the words of the layout read, 12 bytes
+ * of radiance read, as a store to a line that is not there does, and written: full float 2.4 ms, 16
+ * bytes 1.4 ms. Measured 3.7 ms and 2.1 ms: one and a half times. */
 #include "load_pixel.h"
 
 /* A row of blocks in the largest tile, 64 px. */

@@ -50,8 +50,10 @@ const tl_bench_set tl_bench_sets[] = {
      0,
      {.of[TL_AXIS_LAYOUT] = "float,compact-16,compact-12"}},
     LAYOUTS("phong", "all"),
-    LAYOUTS("diffuse", "all"),
-    LAYOUTS("full", "all"),
+    LAYOUTS("diffuse",
+            "shaderx2-128,shaderx2-128-s10,shaderx2-128-u8,shaderx2-128-s8,"
+            "shaderx2-160,shaderx2-96,compact-16,compact-12"),
+    LAYOUTS("full", "dxr,compact-16,compact-12"),
     POSITIONS("float,float-forward", "float-position"),
     POSITIONS("merlin", "merlin-position"),
 };

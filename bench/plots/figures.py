@@ -147,3 +147,55 @@ unset multiplot
        each("3:5", "with lines lw 1.5", "_1080p", False), -worst, worst,
        each("1:6", "with points pt 7 ps 0.6"),
        each("7:8", "with points pt 7 ps 0.6")))
+
+
+LOAD_COLORS = (("1024 lights", "blue"), ("8 over all", "orange"), ("none", "green"))
+
+
+def layouts(records, path):
+    """Bytes of each layout, times by load over full float's, and errors; records: dicts by load."""
+    rows = []
+    ordered = sorted(records, key=lambda loads: -loads["none"]["frame"]["pixel_bytes"])
+    for at, loads in enumerate(ordered):
+        error, row = loads["1024 lights"]["error"], []
+        for name, _ in LOAD_COLORS:
+            ratio = loads[name]["against"]["frame"]
+            row += [ratio["median"], *ratio["interval"]]
+        rows.append((at, loads["none"]["case"]["layout"], loads["none"]["frame"]["pixel_bytes"],
+                     *row, error["rms"], error["max"]))
+    times = ", ".join("$data using %d:($1+%g):%d:%d with xerrorbars pt 7 ps 0.5 lc rgb '%s' title '%s'"
+                      % (4 + 3 * i, 0.22 * (1 - i), 5 + 3 * i, 6 + 3 * i, COLORS[color], name)
+                      for i, (name, color) in enumerate(LOAD_COLORS))
+    draw(path, (980, 110 + 30 * len(rows)), block("data", rows) + """
+set multiplot
+set yrange [-0.7:%g]
+set tmargin at screen 0.86
+set bmargin at screen 0.13
+set key above center horizontal samplen 1
+set lmargin at screen 0.15
+set rmargin at screen 0.36
+set ytics () nomirror
+set xrange [0:*]
+set xlabel 'bytes per pixel'
+plot $data using (0.5*$3):1:(0.5*$3):(0.3):yticlabels(2) with boxxyerror fs solid 0.85 noborder lc rgb '%s' notitle, \\
+     $data using ($3+1):1:(sprintf('%%d', $3)) with labels left notitle
+set lmargin at screen 0.40
+set rmargin at screen 0.68
+set format y ''
+set ytics 1
+unset ytics
+set xrange [*:*]
+set xlabel 'time of a frame, full float = 1'
+set arrow from 1, graph 0 to 1, graph 1 nohead lc rgb '#444444' dt 2
+plot %s
+unset arrow
+set lmargin at screen 0.72
+set rmargin at screen 0.97
+set logscale x
+set xtics 100
+set format x '10^{%%T}'
+set xlabel 'error of the picture, its mean = 1'
+plot $data using 13:1 with points pt 7 ps 0.7 lc rgb '%s' title 'RMS', \\
+     $data using 14:1 with points pt 6 ps 0.7 lc rgb '%s' title 'most'
+unset multiplot
+""" % (len(rows) - 0.3, COLORS["grey"], times, COLORS["blue"], COLORS["orange"]))
