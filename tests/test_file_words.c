@@ -4,6 +4,7 @@
 
 #include "packing.h"
 #include "tilelight/gbuffer_file.h"
+#include "tilelight/image.h"
 #include "tilelight/layouts.h"
 #include "word_channels.h"
 
@@ -257,12 +258,50 @@ static void another_reader_finds_the_words(void **state)
     remove(path);
 }
 
+/* Programs that look for a picture see that of the pixels, whatever they are packed in: the same as in the
+ * file of what is unpacked. Wider than what is unpacked at a time. */
+static void the_preview_is_that_of_full_float(void **state)
+{
+    (void)state;
+    char path[512];
+    const tl_camera camera = awkward_camera(300, 5);
+    scratch_path(path, sizeof path, "preview.exr");
+    for (int l = 0; l < TL_LAYOUT_COUNT; l++) {
+        const enum tl_layout_name layout = (enum tl_layout_name)l;
+        const uint32_t present = tl_layout_planes(layout) & (TL_GROUP_BASE | TL_GROUP_EMISSIVE);
+        tl_gbuffer *packed = create(&camera, layout, present), *unpacked = NULL;
+        tl_image *got = NULL, *want = NULL;
+        tl_error err;
+        fill_with_patterns(packed);
+        ASSERT_OK(tl_gbuffer_repair(packed, "packed", false, NULL, &err), err);
+        ASSERT_OK(tl_gbuffer_unpack(packed, &unpacked, &err), err);
+        ASSERT_OK(tl_gbuffer_write(path, packed, NULL, &err), err);
+        ASSERT_OK(tl_image_read(path, &got, NULL, &err), err);
+        ASSERT_OK(tl_gbuffer_write(path, unpacked, NULL, &err), err);
+        ASSERT_OK(tl_image_read(path, &want, NULL, &err), err);
+        for (unsigned c = 0; c < 3; c++)
+            for (uint32_t i = 0; i < camera.width * camera.height; i++) {
+                const size_t at = (size_t)(i / camera.width) * got->pitch + i % camera.width;
+                const float a = tl_image_plane(got, c)[at], b = tl_image_plane(want, c)[at];
+                if (!same_bits(a, b))
+                    fail_msg("%s: channel %u of pixel %u is %a, not %a", tl_layout_word(layout),
+                             c, i, (double)a, (double)b);
+            }
+        tl_image_destroy(got);
+        tl_image_destroy(want);
+        tl_gbuffer_destroy(unpacked);
+        tl_gbuffer_destroy(packed);
+    }
+    remove(path);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_layout_keeps_its_bits),
         cmocka_unit_test(channels_say_what_they_are_and_cost_no_more),
         cmocka_unit_test(another_reader_finds_the_words),
+        cmocka_unit_test(the_preview_is_that_of_full_float),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,6 +2,7 @@
 #include "commands.h"
 #include "console.h"
 #include "job.h"
+#include "plane_channels.h"
 #include "strict_options.h"
 #include "tilelight/gbuffer_file.h"
 #include "tilelight/layouts.h"
@@ -75,21 +76,17 @@ static const struct argp argp = {
     .children = children,
 };
 
-/* What a layout packs together is lost together. */
+/* Groups that a layout holds or drops as a whole. */
 static const struct {
     uint32_t planes;
-    enum tl_plane first;
     const char *name;
-} attributes[] = {
-    {TL_HAS(TL_DEPTH), TL_DEPTH, "depth"},
-    {TL_THREE(TL_ALBEDO_R), TL_ALBEDO_R, "albedo"},
-    {TL_THREE(TL_SPECULAR_R), TL_SPECULAR_R, "specular"},
-    {TL_HAS(TL_SHININESS), TL_SHININESS, "shininess"},
-    {TL_GROUP_METAL_ROUGH, TL_METALLIC, "metallic and roughness"},
-    {TL_GROUP_OCCLUSION, TL_OCCLUSION, "ao"},
-    {TL_GROUP_EMISSIVE, TL_EMISSIVE_R, "emissive"},
+} groups[] = {
+    {TL_GROUP_PHONG, "specular and shininess"},
+    {TL_GROUP_METAL_ROUGH, "metallic and roughness"},
+    {TL_GROUP_OCCLUSION, "ao"},
+    {TL_GROUP_EMISSIVE, "emissive"},
 };
-enum { ATTRIBUTE_COUNT = sizeof attributes / sizeof attributes[0] };
+enum { GROUP_COUNT = sizeof groups / sizeof groups[0] };
 
 typedef struct losses {
     const char *path, *layout;
@@ -102,12 +99,12 @@ static void say_dropped(job *j, const losses *of)
     json_t *names = json_array();
     char list[128] = "";
     size_t length = 0;
-    for (size_t i = 0; i < ATTRIBUTE_COUNT; i++) {
-        if (!(of->packing.dropped & attributes[i].planes))
+    for (size_t i = 0; i < GROUP_COUNT; i++) {
+        if (!(of->packing.dropped & groups[i].planes))
             continue;
         length += (size_t)snprintf(list + length, sizeof list - length, "%s%s",
-                                   length ? ", " : "", attributes[i].name);
-        json_array_append_new(names, json_string(attributes[i].name));
+                                   length ? ", " : "", groups[i].name);
+        json_array_append_new(names, json_string(groups[i].name));
     }
     if (length > 0)
         tl_notice(&console_notices, "%s: dropped, for want of a place in layout %s: %s",
@@ -118,15 +115,19 @@ static void say_dropped(job *j, const losses *of)
 static void say_cut(job *j, const losses *of)
 {
     json_t *counts = json_object();
-    for (size_t i = 0; i < ATTRIBUTE_COUNT; i++) {
-        const uint64_t cut = of->packing.cut[attributes[i].first];
+    char list[512] = "";
+    size_t length = 0;
+    for (int p = 0; p < TL_PLANE_COUNT; p++) {
+        const uint64_t cut = of->packing.cut[p];
         if (cut == 0)
             continue;
-        tl_notice(&console_notices,
-                  "%s: %s of %" PRIu64 " pixels is beyond what layout %s can say, and cut",
-                  of->path, attributes[i].name, cut, of->layout);
-        json_object_set_new(counts, attributes[i].name, json_integer((json_int_t)cut));
+        length += (size_t)snprintf(list + length, sizeof list - length, "%s%s %" PRIu64,
+                                   length ? ", " : "", tl_plane_channels[p], cut);
+        json_object_set_new(counts, tl_plane_channels[p], json_integer((json_int_t)cut));
     }
+    if (length > 0)
+        tl_notice(&console_notices, "%s: pixels cut to what layout %s can say: %s", of->path,
+                  of->layout, list);
     job_report(j, "cut", counts);
 }
 
@@ -140,9 +141,10 @@ static void say_losses(job *j, const losses *of)
     say_dropped(j, of);
     say_cut(j, of);
     if (of->packing.lost > 0)
-        tl_notice(&console_notices,
-                  "%s: %" PRIu64 " pixels became sky: layout %s cannot say where they are",
-                  of->path, of->packing.lost, of->layout);
+        tl_notice(
+            &console_notices,
+            "%s: pixels that became sky, as layout %s cannot say where they are: %" PRIu64,
+            of->path, of->layout, of->packing.lost);
     job_report(j, "lost", json_integer((json_int_t)of->packing.lost));
     job_report(j, "became_phong", json_boolean(of->became_phong));
 }
