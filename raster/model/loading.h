@@ -31,6 +31,10 @@ tl_status tl_load_geometry(tl_model *model,
  * TL_ERR_MEMORY, naming the material or image. */
 tl_status tl_load_materials(tl_model *model, const tl_notices *notices, tl_error *err);
 
+/* Gives tangents to what has a normal map and none in the file: vertices of its own, for those of the
+ * file may need several. Parts without the map's coordinates stay without. Fails with TL_ERR_MEMORY. */
+tl_status tl_load_tangents(tl_model *model, tl_error *err);
+
 /* Which of the model's pixels show `image` this way: ones that are there already, or new ones, for
  * which there is room. *out is PIXELS_MISSING where the file's bytes are: that is told. Format and
  * size are checked, nothing is decoded. Fails with TL_ERR_FORMAT or TL_ERR_UNSUPPORTED (neither PNG

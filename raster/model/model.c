@@ -21,6 +21,7 @@ tl_status tl_model_load(const char *path,
     TRY(tl_load_nodes(made, notices, &placements, err));
     TRY(tl_load_geometry(made, &placements, notices, err));
     TRY(tl_load_materials(made, notices, err));
+    TRY(tl_load_tangents(made, err));
 
     *out = made;
     made = NULL;
