@@ -119,9 +119,9 @@ static unsigned features_of(const tl_model *model, const tl_part *part)
     unsigned features = 0;
     for (unsigned i = 0; i < TL_GLTF_SLOT_COUNT; i++)
         features |= (unsigned)(material->slots[i].texture != -1) << i;
-    if (features & 1u << TL_HAS_NORMAL_MAP &&
-        model->vertices[part->vertices].attributes[TL_GLTF_TANGENT])
-        features |= 1u << TL_HAS_TANGENTS;
+    /* Without coordinates for its map a part has no tangents either, and the map nothing to say. */
+    if (!model->vertices[part->vertices].attributes[TL_GLTF_TANGENT])
+        features &= ~(1u << TL_HAS_NORMAL_MAP);
     if (material->alpha_cutoff > 0.0f)
         features |= 1u << TL_ALPHA_TEST;
     return features;

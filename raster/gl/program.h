@@ -12,7 +12,6 @@
     X(TL_HAS_NORMAL_MAP, "HAS_NORMAL_MAP")                 \
     X(TL_HAS_OCCLUSION, "HAS_OCCLUSION")                   \
     X(TL_HAS_EMISSIVE, "HAS_EMISSIVE")                     \
-    X(TL_HAS_TANGENTS, "HAS_TANGENTS")                     \
     X(TL_ALPHA_TEST, "ALPHA_TEST")
 
 /* Bit numbers; the first ones are those of the texture slots. */

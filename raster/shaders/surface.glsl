@@ -41,35 +41,12 @@ vec3 surface_normal()
 }
 
 #ifdef HAS_NORMAL_MAP
-#ifdef HAS_TANGENTS
 // As MikkTSpace wants it: the interpolated vectors as they are, one normalisation at the end.
-vec3 mapped_normal(vec3 n, vec3 mapped)
+vec3 mapped_normal(vec3 mapped)
 {
     vec3 bitangent = world_tangent.w * cross(world_normal, world_tangent.xyz);
     return mapped.x * world_tangent.xyz + mapped.y * bitangent + mapped.z * world_normal;
 }
-#else
-// The frame in which u and v grow, from what they and the position change by between pixels:
-// C. Schueler, "Normal Mapping without Precomputed Tangents", ShaderX5, 2006, and then made
-// orthogonal to the normal as MikkTSpace does. The map's y points against v, which grows downwards.
-vec3 mapped_normal(vec3 n, vec3 mapped)
-{
-    vec2 uv = uv_of(SLOT_NORMAL_MAP);
-    vec3 dx = world_from_view * dFdx(view_position), dy = world_from_view * dFdy(view_position);
-    vec2 du = vec2(dFdx(uv.x), dFdy(uv.x)), dv = vec2(dFdx(uv.y), dFdy(uv.y));
-    float determinant = du.x * dv.y - du.y * dv.x;
-    vec3 along_u = (dx * dv.y - dy * dv.x) * sign(determinant);
-    vec3 against_v = (dx * du.y - dy * du.x) * sign(determinant);
-    vec3 tangent = along_u - n * dot(n, along_u);
-    float length2 = dot(tangent, tangent);
-    if (!(length2 > 0.0)) // coordinates that do not change have no directions
-        return n;
-    tangent *= inversesqrt(length2);
-    vec3 bitangent = cross(n, tangent);
-    bitangent = dot(bitangent, against_v) < 0.0 ? -bitangent : bitangent;
-    return mapped.x * tangent + mapped.y * bitangent + mapped.z * n;
-}
-#endif
 #endif
 
 vec3 shading_normal()
@@ -77,7 +54,7 @@ vec3 shading_normal()
     vec3 n = surface_normal();
 #ifdef HAS_NORMAL_MAP
     vec3 mapped = texture(normal_map, uv_of(SLOT_NORMAL_MAP)).xyz * 2.0 - 1.0;
-    n = normalize(mapped_normal(n, mapped * vec3(factors.zz, 1.0)));
+    n = normalize(mapped_normal(mapped * vec3(factors.zz, 1.0)));
 #endif
     return gl_FrontFacing ? n : -n;
 }
