@@ -370,6 +370,44 @@ static void no_normal_stays_none(void **state)
     free(texture);
 }
 
+/* One layout has no place for two attributes of the hall, the other has for all. */
+static void what_is_dropped_is_told(void **state)
+{
+    static const struct {
+        enum tl_layout_name layout;
+        const char *told;
+    } cases[] = {{TL_LAYOUT_MERLIN, "layout merlin: ao, emissive"}, {TL_LAYOUT_DXR, NULL}};
+    char path[4096];
+    (void)state;
+    source_path(path, sizeof path, "data", "hall.gltf", "");
+    for (size_t i = 0; i < COUNT_OF(cases); i++) {
+        const tl_capture_options options = {
+            .width = WIDTH, .height = HEIGHT, .layout = cases[i].layout};
+        shot taken;
+        ASSERT_OK(shoot(path, &options, &taken), taken.err);
+        if (cases[i].told)
+            assert_non_null(strstr(taken.notices.text, cases[i].told));
+        else
+            assert_int_equal(taken.notices.count, 0);
+        shot_clear(&taken);
+    }
+}
+
+static void depth_without_a_meaning_is_refused(void **state)
+{
+    const tl_capture_options options = {.width = WIDTH,
+                                        .height = HEIGHT,
+                                        .camera = "endless",
+                                        .layout = TL_LAYOUT_FLOAT_FRACTION};
+    char path[4096];
+    shot taken;
+    (void)state;
+    source_path(path, sizeof path, "data", "hard-cases.glb", "");
+    assert_int_equal(shoot(path, &options, &taken), TL_ERR_UNSUPPORTED);
+    assert_non_null(strstr(taken.err.message, "float-fraction"));
+    shot_clear(&taken);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -377,6 +415,8 @@ int main(void)
         cmocka_unit_test(the_far_plane_is_no_sky),
         cmocka_unit_test(distance_is_no_sky),
         cmocka_unit_test(no_normal_stays_none),
+        cmocka_unit_test(what_is_dropped_is_told),
+        cmocka_unit_test(depth_without_a_meaning_is_refused),
     };
     if (!can_capture())
         return TL_SKIPPED;
