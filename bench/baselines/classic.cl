@@ -15,7 +15,7 @@ TL_INLINE int ordered(float depth)
     return bits < 0 ? bits ^ 0x7fffffff : bits;
 }
 
-TL_INLINE float depth_of(int bits)
+TL_INLINE float unordered(int bits)
 {
     return as_float(bits < 0 ? bits ^ 0x7fffffff : bits);
 }
@@ -152,7 +152,7 @@ light_tiles_classic(const tl_frame frame,
     barrier(CLK_LOCAL_MEM_FENCE);
     for (uint i = frame.global_count + item; nearest <= farthest && i < frame.light_count;
          i += CLASSIC_TILE * CLASSIC_TILE)
-        if (meets_tile(frame.rays, lights[i], depth_of(nearest), depth_of(farthest))) {
+        if (meets_tile(frame.rays, lights[i], unordered(nearest), unordered(farthest))) {
             const uint slot = atomic_inc(&count);
             if (slot < CLASSIC_CAP)
                 list[slot] = i;
