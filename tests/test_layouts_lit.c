@@ -4,7 +4,7 @@
  * The reference has neither tiles nor lists: the C twin shines every light on every pixel. Stored positions
  * are many pixels off their rays here, outside of their lights' rectangles unless those know of it. The
  * widths take turns, for every program takes a second or two to build; with the argument `all' every
- * layout is lit in every width. */
+ * layout is lit in every width, which builds some 150 programs, in five minutes. */
 #include "packed_frames.h"
 
 #include "device.h"
