@@ -2,44 +2,20 @@
 
 #include "shaders/multipass_interface.h"
 
+#include "float_pixel.h"
 #include "parallel.h"
-#include "pixel.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 typedef struct surfaces {
     const tl_prepared *prepared;
-    const float *planes[TL_PLANE_COUNT]; /* [rows][pitch]; NULL where absent */
+    float *planes[TL_PLANE_COUNT]; /* [rows][pitch]; NULL where absent */
     depth_scale scale;
     uint32_t width;
     const struct texture *texture;
     float *texels; /* [height][width][channels] */
 } surfaces;
-
-static float plane_at(const surfaces *s, enum tl_plane plane, size_t at, float otherwise)
-{
-    return s->planes[plane] ? s->planes[plane][at] : otherwise;
-}
-
-static vec3 three_at(const surfaces *s, enum tl_plane first, size_t at)
-{
-    return (vec3){plane_at(s, first, at, 0.0f), plane_at(s, first + 1, at, 0.0f),
-                  plane_at(s, first + 2, at, 0.0f)};
-}
-
-static pixel pixel_at(const surfaces *s, size_t at)
-{
-    return (pixel){.depth = plane_at(s, TL_DEPTH, at, INFINITY),
-                   .normal = three_at(s, TL_NORMAL_X, at),
-                   .albedo = three_at(s, TL_ALBEDO_R, at),
-                   .specular = three_at(s, TL_SPECULAR_R, at),
-                   .emissive = three_at(s, TL_EMISSIVE_R, at),
-                   .shininess = plane_at(s, TL_SHININESS, at, 0.0f),
-                   .metallic = plane_at(s, TL_METALLIC, at, 0.0f),
-                   .roughness = plane_at(s, TL_ROUGHNESS, at, 0.0f),
-                   .occlusion = plane_at(s, TL_OCCLUSION, at, 1.0f)};
-}
 
 static void write_vector(vec3 v, float fourth, float *out)
 {
@@ -108,7 +84,7 @@ static void write_rows(void *context, size_t begin, size_t end)
     const surfaces *s = context;
     for (size_t y = begin; y < end; y++)
         for (size_t x = 0; x < s->width; x++)
-            s->texture->write(s, pixel_at(s, y * s->prepared->frame.pitch + x),
+            s->texture->write(s, pixel_at(s->planes, y * s->prepared->frame.pitch + x),
                               s->texels + (y * s->width + x) * s->texture->channels);
 }
 

@@ -1,6 +1,7 @@
 #define TL_REAL_DOUBLE 1
 #include "packing_setup.h"
 
+#include "float_pixel.h"
 #include "packing.h"
 #include "parallel.h"
 #include "try.h"
@@ -10,9 +11,9 @@
 
 typedef struct job {
     const tl_gbuffer *from, *to;
-    const float *planes[TL_PLANE_COUNT]; /* of `from` */
-    tl_word_planes words;                /* of `to` */
-    tl_packing packing;                  /* what is the same for every pixel */
+    float *planes[TL_PLANE_COUNT]; /* of `from` */
+    tl_word_planes words;          /* of `to` */
+    tl_packing packing;            /* what is the same for every pixel */
     bool to_phong;
     atomic_ullong cut[TL_PLANE_COUNT];
 } job;
@@ -46,34 +47,12 @@ tl_words tl_sky_words(const tl_camera *camera, enum tl_layout_name layout, uint3
     return packing.words;
 }
 
-static real value_at(const job *j, int plane, size_t at, real otherwise)
+static pixel phong_of(pixel p)
 {
-    return j->planes[plane] ? (real)j->planes[plane][at] : otherwise;
-}
-
-static vec3 three_at(const job *j, int first, size_t at)
-{
-    return (vec3){value_at(j, first, at, 0.0), value_at(j, first + 1, at, 0.0),
-                  value_at(j, first + 2, at, 0.0)};
-}
-
-static pixel pixel_at(const job *j, size_t at)
-{
-    pixel p = {.depth = value_at(j, TL_DEPTH, at, 0.0),
-               .normal = three_at(j, TL_NORMAL_X, at),
-               .albedo = three_at(j, TL_ALBEDO_R, at),
-               .specular = three_at(j, TL_SPECULAR_R, at),
-               .emissive = three_at(j, TL_EMISSIVE_R, at),
-               .shininess = value_at(j, TL_SHININESS, at, 0.0),
-               .metallic = value_at(j, TL_METALLIC, at, 0.0),
-               .roughness = value_at(j, TL_ROUGHNESS, at, 0.0),
-               .occlusion = value_at(j, TL_OCCLUSION, at, 1.0)};
-    if (j->to_phong) {
-        const phong_material m = phong_of_metal_rough(p.albedo, p.metallic, p.roughness);
-        p.albedo = m.diffuse;
-        p.specular = m.specular;
-        p.shininess = m.shininess;
-    }
+    const phong_material m = phong_of_metal_rough(p.albedo, p.metallic, p.roughness);
+    p.albedo = m.diffuse;
+    p.specular = m.specular;
+    p.shininess = m.shininess;
     return p;
 }
 
@@ -84,8 +63,10 @@ static void pack_rows(void *context, size_t begin, size_t end)
     for (size_t row = begin; row < end; row++)
         for (size_t column = 0; column < j->to->camera.width; column++) {
             const size_t at = row * j->to->pitch + column;
+            const pixel given = pixel_at(j->planes, at);
             tl_packing packing = j->packing;
-            pack_pixel(&packing, pixel_at(j, at), (real)column, (real)row);
+            pack_pixel(&packing, j->to_phong ? phong_of(given) : given, (real)column,
+                       (real)row);
             tl_words_put(&j->words, at, packing.words);
             for (int p = 0; p < TL_PLANE_COUNT; p++)
                 cut[p] += packing.cut >> p & 1u;
