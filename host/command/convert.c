@@ -76,20 +76,9 @@ static const struct argp argp = {
     .children = children,
 };
 
-/* Groups that a layout holds or drops as a whole. */
-static const struct {
-    uint32_t planes;
-    const char *name;
-} groups[] = {
-    {TL_GROUP_PHONG, "specular and shininess"},
-    {TL_GROUP_METAL_ROUGH, "metallic and roughness"},
-    {TL_GROUP_OCCLUSION, "ao"},
-    {TL_GROUP_EMISSIVE, "emissive"},
-};
-enum { GROUP_COUNT = sizeof groups / sizeof groups[0] };
-
 typedef struct losses {
-    const char *path, *layout;
+    const char *path;
+    enum tl_layout_name layout;
     tl_packing_report packing;
     bool became_phong;
 } losses;
@@ -97,18 +86,10 @@ typedef struct losses {
 static void say_dropped(job *j, const losses *of)
 {
     json_t *names = json_array();
-    char list[128] = "";
-    size_t length = 0;
-    for (size_t i = 0; i < GROUP_COUNT; i++) {
-        if (!(of->packing.dropped & groups[i].planes))
-            continue;
-        length += (size_t)snprintf(list + length, sizeof list - length, "%s%s",
-                                   length ? ", " : "", groups[i].name);
-        json_array_append_new(names, json_string(groups[i].name));
-    }
-    if (length > 0)
-        tl_notice(&console_notices, "%s: dropped, for want of a place in layout %s: %s",
-                  of->path, of->layout, list);
+    for (size_t i = 0; i < TL_PLANE_GROUP_COUNT; i++)
+        if (of->packing.dropped & tl_plane_groups[i].planes)
+            json_array_append_new(names, json_string(tl_plane_groups[i].name));
+    tl_layout_tell_dropped(of->layout, of->path, of->packing.dropped, &console_notices);
     job_report(j, "dropped", names);
 }
 
@@ -127,7 +108,7 @@ static void say_cut(job *j, const losses *of)
     }
     if (length > 0)
         tl_notice(&console_notices, "%s: pixels cut to what layout %s can say: %s", of->path,
-                  of->layout, list);
+                  tl_layout_word(of->layout), list);
     job_report(j, "cut", counts);
 }
 
@@ -137,14 +118,14 @@ static void say_losses(job *j, const losses *of)
         tl_notice(&console_notices,
                   "%s: metallic and roughness became a Phong material: layout %s has no place "
                   "for them",
-                  of->path, of->layout);
+                  of->path, tl_layout_word(of->layout));
     say_dropped(j, of);
     say_cut(j, of);
     if (of->packing.lost > 0)
         tl_notice(
             &console_notices,
             "%s: pixels that became sky, as layout %s cannot say where they are: %" PRIu64,
-            of->path, of->layout, of->packing.lost);
+            of->path, tl_layout_word(of->layout), of->packing.lost);
     job_report(j, "lost", json_integer((json_int_t)of->packing.lost));
     job_report(j, "became_phong", json_boolean(of->became_phong));
 }
@@ -172,13 +153,13 @@ static tl_status pack(job *j, const convert_command *options, losses *lost, tl_e
 static tl_status convert(job *j, const convert_command *options, tl_error *err)
 {
     tl_status status = TL_OK;
-    losses lost = {.path = options->output, .layout = tl_layout_word(options->layout)};
+    losses lost = {.path = options->output, .layout = options->layout};
     if (j->gbuffer->layout != options->layout)
         TRY(job_unpack(j, err));
     if (j->gbuffer->layout != options->layout)
         TRY(pack(j, options, &lost, err));
     job_report(j, "to",
-               json_pack("{ss sI}", "layout", lost.layout, "bytes_per_pixel",
+               json_pack("{ss sI}", "layout", tl_layout_word(lost.layout), "bytes_per_pixel",
                          (json_int_t)tl_gbuffer_pixel_size(j->gbuffer)));
     say_losses(j, &lost);
 done:

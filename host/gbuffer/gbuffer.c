@@ -8,15 +8,12 @@
 #include <assert.h>
 #include <stdlib.h>
 
-/* Groups that a frame has whole or not at all. */
-static const struct {
-    const char *name;
-    uint32_t planes;
-} groups[] = {
+const tl_plane_group tl_plane_groups[TL_PLANE_GROUP_COUNT] = {
     {"normal", TL_THREE(TL_NORMAL_X)},
     {"albedo", TL_THREE(TL_ALBEDO_R)},
     {"specular and shininess", TL_GROUP_PHONG},
     {"metallic and roughness", TL_GROUP_METAL_ROUGH},
+    {"ao", TL_GROUP_OCCLUSION},
     {"emissive", TL_GROUP_EMISSIVE},
 };
 
@@ -31,10 +28,12 @@ tl_status tl_planes_check(uint32_t present, tl_error *err)
         return tl_fail(err, TL_ERR_ARGUMENT,
                        "a G-buffer holds specular and shininess or metallic and roughness, not "
                        "both: albedo means another colour in each");
-    for (size_t i = 0; i < sizeof groups / sizeof groups[0]; i++)
-        if ((present & groups[i].planes) && (present & groups[i].planes) != groups[i].planes)
+    for (size_t i = 0; i < TL_PLANE_GROUP_COUNT; i++) {
+        const uint32_t planes = tl_plane_groups[i].planes;
+        if ((present & planes) && (present & planes) != planes)
             return tl_fail(err, TL_ERR_ARGUMENT, "a G-buffer with a part of %s needs all of it",
-                           groups[i].name);
+                           tl_plane_groups[i].name);
+    }
     return TL_OK;
 }
 

@@ -67,3 +67,19 @@ tl_status tl_layout_suits(const tl_camera *camera, enum tl_layout_name layout, t
         "compact-16 do",
         words[layout], (double)camera->near, (double)camera->far);
 }
+
+void tl_layout_tell_dropped(enum tl_layout_name layout,
+                            const char *file,
+                            uint32_t dropped,
+                            const tl_notices *notices)
+{
+    char list[128] = "";
+    size_t length = 0;
+    for (size_t i = 0; i < TL_PLANE_GROUP_COUNT; i++)
+        if (dropped & tl_plane_groups[i].planes)
+            length += (size_t)snprintf(list + length, sizeof list - length, "%s%s",
+                                       length ? ", " : "", tl_plane_groups[i].name);
+    if (length > 0)
+        tl_notice(notices, "%s: dropped, for want of a place in layout %s: %s", file,
+                  words[layout], list);
+}

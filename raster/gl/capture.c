@@ -6,6 +6,7 @@
 
 #include <stdio.h>
 
+
 enum { DEFAULT_WIDTH = 1280, DEFAULT_HEIGHT = 720 };
 
 /* Planes are there where something that is drawn has need of them. */
@@ -32,32 +33,6 @@ static tl_status check_size(const tl_capture_options *options, tl_error *err)
     return TL_OK;
 }
 
-/* What layouts may have no place for. */
-static const struct {
-    uint32_t planes;
-    const char *name;
-} droppable[] = {
-    {TL_GROUP_PHONG, "specular, shininess"},
-    {TL_GROUP_OCCLUSION, "ao"},
-    {TL_GROUP_EMISSIVE, "emissive"},
-};
-
-static void tell_dropped(const tl_model *model,
-                         enum tl_layout_name layout,
-                         uint32_t dropped,
-                         const tl_notices *notices)
-{
-    char list[64] = "";
-    size_t length = 0;
-    for (size_t i = 0; i < sizeof droppable / sizeof droppable[0]; i++)
-        if (dropped & droppable[i].planes)
-            length += (size_t)snprintf(list + length, sizeof list - length, "%s%s",
-                                       length ? ", " : "", droppable[i].name);
-    if (length > 0)
-        tl_notice(notices, "%s: dropped, for want of a place in layout %s: %s",
-                  model->gltf->path, tl_layout_word(layout), list);
-}
-
 /* What of the scene the layout has a place for; metal-rough becomes Phong where it has none for that. */
 static uint32_t stored_planes(const tl_model *model,
                               enum tl_layout_name layout,
@@ -67,7 +42,7 @@ static uint32_t stored_planes(const tl_model *model,
     uint32_t found = planes_of(model);
     if (!(can_hold & TL_GROUP_METAL_ROUGH))
         found = (found & ~TL_GROUP_METAL_ROUGH) | TL_GROUP_PHONG;
-    tell_dropped(model, layout, found & ~can_hold, notices);
+    tl_layout_tell_dropped(layout, model->gltf->path, found & ~can_hold, notices);
     return found & can_hold;
 }
 

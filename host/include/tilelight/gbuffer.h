@@ -40,6 +40,15 @@ typedef struct tl_gbuffer {
                             * to 4096; padding is sky */
 } tl_gbuffer;
 
+/* Planes that a frame has whole or not at all, and what they are called together. */
+typedef struct tl_plane_group {
+    const char *name;
+    uint32_t planes; /* bits 1 << plane */
+} tl_plane_group;
+
+enum { TL_PLANE_GROUP_COUNT = 6 };
+extern const tl_plane_group tl_plane_groups[TL_PLANE_GROUP_COUNT];
+
 /* In full float; every pixel is sky. The caller releases *out with tl_gbuffer_destroy. Fails with
  * TL_ERR_ARGUMENT (tl_camera_check; an incomplete group in `present`; both the Phong and the
  * metal-rough group) or TL_ERR_MEMORY. */

@@ -3,6 +3,7 @@
 #define TL_LAYOUTS_PUBLIC_H
 
 #include "gbuffer.h"
+#include "report.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -66,6 +67,12 @@ typedef struct tl_layout_info {
 
 /* Where the layout is from and what the geometry pass renders it to. Cannot fail. */
 const tl_layout_info *tl_layout_describe(enum tl_layout_name layout);
+
+/* Names in a notice the groups of planes that `dropped` holds, if any. file: what they were dropped of. */
+void tl_layout_tell_dropped(enum tl_layout_name layout,
+                            const char *file,
+                            uint32_t dropped,
+                            const tl_notices *notices);
 
 /* What packing could not keep. */
 typedef struct tl_packing_report {
