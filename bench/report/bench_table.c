@@ -53,13 +53,15 @@ static void print_error(FILE *out, const tl_storage_error *e)
 void tl_bench_table_line(FILE *out, const tl_bench_record *r)
 {
     char title[512];
+    char per_pair[16] = "-"; /* where no tile lists a light */
     tl_bench_case_title(&r->of, title, sizeof title);
-    fprintf(out,
-            "%-*s %4u %9.2f %6.1f%% %9.2f %8.2f %8.2f %8.1f %8.2f %7.1f %7.3f %6.1f %6.1f\n",
+    if (r->counts.pair_count > 0)
+        snprintf(per_pair, sizeof per_pair, "%.3f", figure("ns_per_pair", r));
+    fprintf(out, "%-*s %4u %9.2f %6.1f%% %9.2f %8.2f %8.2f %8.1f %8.2f %7.1f %7s %6.1f %6.1f\n",
             TITLE_WIDTH, title, r->pixel_bytes, r->frame_ms.median,
             100.0 * tl_relative_deviation(&r->frame_ms), r->frame_ms.p90,
             r->kernel_cull_ms.median, r->kernel_shade_ms.median, r->build_ms, r->post_ms.median,
-            1e-6 * (double)r->counts.pair_count, figure("ns_per_pair", r),
+            1e-6 * (double)r->counts.pair_count, per_pair,
             100.0 * figure("share_of_peak_flops", r), 100.0 * figure("share_of_peak_bytes", r));
     if (r->turns.frame.count > 0)
         print_turns(out, r);
