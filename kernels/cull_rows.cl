@@ -46,13 +46,14 @@ TL_INLINE void include_ray(
 }
 
 /* The blocks of the largest tile, 64 px. */
-#define MOST_BLOCKS (64 * 64 / TL_WIDTH)
+#define MOST_BLOCKS_OF_TILE (64 * 64 / TL_WIDTH)
 
 /* Where the surfaces of a tile are, block by block, row of blocks by row: read and decoded once, for up
  * to three boxes. */
 typedef struct positions {
-    real depth[MOST_BLOCKS], y[MOST_BLOCKS];
-    real x[MOST_BLOCKS]; /* where the layout stores positions, which may lie off their rays */
+    real depth[MOST_BLOCKS_OF_TILE], y[MOST_BLOCKS_OF_TILE];
+    real x
+        [MOST_BLOCKS_OF_TILE]; /* where the layout stores positions, which may lie off their rays */
 } positions;
 
 /* column, row: the tile's first pixel, in the image and in the band. */

@@ -21,7 +21,7 @@
 #include "load_pixel.h"
 
 /* A row of blocks in the largest tile, 64 px. */
-#define MOST_BLOCKS (64 / BLOCK_COLUMNS)
+#define MOST_BLOCKS_OF_ROW (64 / BLOCK_COLUMNS)
 
 /* Asks for what the next tile reads and writes there. */
 TL_INLINE void ask_for_next_tile(const tl_layout *layout,
@@ -109,7 +109,7 @@ __kernel void shade_tiles(const tl_frame frame,
     const tl_needs needs = needs_of_build();
     const tl_layout layout = layout_of_build();
 
-    surface surfaces[MOST_BLOCKS];
+    surface surfaces[MOST_BLOCKS_OF_ROW];
 
     for (uint row = row0; row < row0 + frame.tile_size; row += BLOCK_ROWS) {
         const size_t first = (size_t)(frame.buffer_row + row) * frame.pitch + column0;

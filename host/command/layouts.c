@@ -59,13 +59,11 @@ static error_t parse(int key, char *text, struct argp_state *state)
 
 static const struct argp_option options_table[] = {
     {"bandwidth", OPTION_BANDWIDTH, NULL, 0,
-     "The bytes that layouts move: by the model of ShaderX2 (Thibieroz, 2003), as counted of "
-     "our "
+     "The bytes that layouts move: by the model of ShaderX2 (Thibieroz, 2003), as counted of our "
      "passes, and what they cost as measured, in about a minute for all",
      0},
     {"depth", OPTION_DEPTH, NULL, 0,
-     "What each way to store depth loses, from near to far: stored, read as kernels do, and "
-     "read "
+     "What each way to store depth loses, from near to far: stored, read as kernels do, and read "
      "by the textbook's form",
      0},
     {"size", OPTION_SIZE, "WIDTHxHEIGHT", 0,

@@ -4,8 +4,8 @@
 
 #include "packing.h"
 
-/* out: in view space, m; z is -infinity where nothing was hit; x and y are 0 where not they are stored but
- * depth. */
+/* out: in view space, m; z is -infinity where nothing was hit; x and y are 0 of layouts that store depth
+ * in their place. */
 typedef void tl_float_position(const tl_frame *frame,
                                tl_needs needs,
                                const tl_words *words,
