@@ -36,8 +36,7 @@ typedef struct tl_frame {
     tl_u32 cell_capacity;        /* entries that the lists of cells may have in all */
     tl_u32 has_cells;            /* 1: lights are listed by cell first */
     float depth_slope, depth_offset; /* from stored depth to metres: depth_code.h */
-    float slack_x,
-        slack_y; /* of stored positions: at most this far off their ray, x/depth or m */
+    float slack_x, slack_y; /* stored positions off their rays, at most: x/depth or m */
 } tl_frame;
 TL_STATIC_ASSERT(sizeof(tl_frame) == 160, frame_is_ten_rows);
 
