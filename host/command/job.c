@@ -1,9 +1,9 @@
 #include "job.h"
 
+#include "capture_read.h"
 #include "console.h"
 #include "json_values.h"
 #include "pass_bytes.h"
-#include "tilelight/gbuffer_file.h"
 #include "tilelight/layouts.h"
 #include "try.h"
 
@@ -89,12 +89,20 @@ tl_status job_read(job *j, const char *path, bool strict, tl_error *err)
 {
     tl_status status = TL_OK;
     const double start = tl_seconds();
+    tl_captured captured = {0};
     console_stage("reading the G-buffer");
-    TRY(tl_gbuffer_read(path, &j->gbuffer, j->lights_given ? NULL : &j->lights,
-                        &j->lights_inside, err));
+    TRY(tl_capture_read(path, &console_notices, &captured, err));
+    j->gbuffer = captured.gbuffer;
+    j->lights_inside = captured.has_lights;
+    captured.gbuffer = NULL;
+    if (!j->lights_given) {
+        j->lights = captured.lights;
+        captured.lights = (tl_light_set){0};
+    }
     tl_timings_end(&j->timings, "read", start);
     TRY(job_repair(j, path, strict, err));
 done:
+    tl_captured_clear(&captured);
     return status;
 }
 

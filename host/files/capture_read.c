@@ -1,0 +1,89 @@
+#define _POSIX_C_SOURCE 200809L
+#include "capture_read.h"
+
+#include "tilelight/gbuffer_file.h"
+#include "try.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static bool is_exr(const tl_capture_start *start)
+{
+    static const unsigned char magic[] = {0x76, 0x2f, 0x31, 0x01};
+    return start->size >= sizeof magic && memcmp(start->bytes, magic, sizeof magic) == 0;
+}
+
+static tl_status read_exr(const char *path,
+                          const tl_notices *notices,
+                          tl_captured *out,
+                          tl_error *err)
+{
+    (void)notices;
+    return tl_gbuffer_read(path, &out->gbuffer, &out->lights, &out->has_lights, err);
+}
+
+const tl_capture_format tl_capture_formats[] = {
+    {"OpenEXR", is_exr, read_exr},
+};
+const size_t tl_capture_format_count = sizeof tl_capture_formats / sizeof tl_capture_formats[0];
+
+static tl_status read_start(const char *path, tl_capture_start *out, tl_error *err)
+{
+    tl_status status = TL_OK;
+    struct stat seen;
+    *out = (tl_capture_start){.path = path};
+    const int descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor < 0)
+        return tl_fail(err, TL_ERR_READ, "%s: cannot be opened: %s", path, strerror(errno));
+    if (fstat(descriptor, &seen) != 0 || !S_ISREG(seen.st_mode))
+        TRY(tl_fail(err, TL_ERR_READ, "%s: cannot be read: it is no regular file", path));
+    const ssize_t got = pread(descriptor, out->bytes, sizeof out->bytes, 0);
+    if (got < 0)
+        TRY(tl_fail(err, TL_ERR_READ, "%s: cannot be read: %s", path, strerror(errno)));
+    out->size = (size_t)got;
+    out->file_size = (uint64_t)seen.st_size;
+done:
+    close(descriptor);
+    return status;
+}
+
+static tl_status unknown_format(const char *path, tl_error *err)
+{
+    char list[512] = "";
+    for (size_t i = 0, used = 0; i < tl_capture_format_count && used < sizeof list; i++)
+        used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "",
+                                 tl_capture_formats[i].name);
+    return tl_fail(err, TL_ERR_FORMAT, "%s: is no capture: it starts as none of these: %s",
+                   path, list);
+}
+
+tl_status tl_capture_read(const char *path,
+                          const tl_notices *notices,
+                          tl_captured *out,
+                          tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_captured read = {0};
+    tl_capture_start start;
+    size_t i = 0;
+    TRY(read_start(path, &start, err));
+    while (i < tl_capture_format_count && !tl_capture_formats[i].recognises(&start))
+        i++;
+    if (i == tl_capture_format_count)
+        TRY(unknown_format(path, err));
+    TRY(tl_capture_formats[i].read(path, notices, &read, err));
+    *out = read;
+done:
+    return status;
+}
+
+void tl_captured_clear(tl_captured *captured)
+{
+    tl_light_set_clear(&captured->lights);
+    tl_gbuffer_destroy(captured->gbuffer);
+    *captured = (tl_captured){0};
+}

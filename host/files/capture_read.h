@@ -1,0 +1,53 @@
+/* Captures of any kind, ours or another program's: one table decides which reader a file goes to. */
+#ifndef TL_CAPTURE_READ_H
+#define TL_CAPTURE_READ_H
+
+#include "tilelight/gbuffer.h"
+#include "tilelight/lights.h"
+#include "tilelight/report.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* What formats are told apart by. */
+typedef struct tl_capture_start {
+    const char *path;        /* its end may tell, where a format has no magic number */
+    unsigned char bytes[64]; /* the file's first; 0 beyond its end */
+    size_t size;             /* of them in the file */
+    uint64_t file_size;
+} tl_capture_start;
+
+/* All zero is empty. */
+typedef struct tl_captured {
+    tl_gbuffer *gbuffer;
+    tl_light_set lights;
+    bool has_lights; /* the file brought lights, even where there are none */
+} tl_captured;
+
+typedef struct tl_capture_format {
+    const char *name; /* for sentences: "starts as none of: OpenEXR, ..." */
+    bool (*recognises)(const tl_capture_start *start);
+    /* Into an empty *out, which it leaves empty where it fails. Notices say what was assumed. */
+    tl_status (*read)(const char *path,
+                      const tl_notices *notices,
+                      tl_captured *out,
+                      tl_error *err);
+} tl_capture_format;
+
+/* The first that recognises a file reads it; formats with a magic number stand before others. */
+extern const tl_capture_format tl_capture_formats[];
+extern const size_t tl_capture_format_count;
+
+/* Reads a capture by the table. Pixels are as the file has them: see tl_gbuffer_repair. The caller
+ * releases *out with tl_captured_clear. Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED or
+ * TL_ERR_MEMORY. */
+tl_status tl_capture_read(const char *path,
+                          const tl_notices *notices,
+                          tl_captured *out,
+                          tl_error *err);
+
+/* Leaves it empty. Accepts an empty one. */
+void tl_captured_clear(tl_captured *captured);
+
+#endif
