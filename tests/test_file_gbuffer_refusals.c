@@ -12,10 +12,6 @@ static const struct {
     tl_status status;
     const char *words[4];
 } cases[] = {
-    {"tiled",
-     {.width = 20, .height = 9, .storage = EXR_STORAGE_TILED},
-     TL_ERR_UNSUPPORTED,
-     {"tiles", "scanlines"}},
     {"deep",
      {.width = 20, .height = 9, .storage = EXR_STORAGE_DEEP_SCANLINE},
      TL_ERR_UNSUPPORTED,

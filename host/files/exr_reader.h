@@ -1,8 +1,9 @@
-/* Reads channels of the first part of a scanline OpenEXR file as planes, on all threads. */
+/* Reads channels of the first part of an OpenEXR file as planes, where its picture is whole: the data
+ * window is the display window, from (0, 0) on. */
 #ifndef TL_EXR_READER_H
 #define TL_EXR_READER_H
 
-#include "exr_stream.h"
+#include "exr_part.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -12,20 +13,9 @@
 typedef struct tl_exr_reader {
     bool is_open;
     tl_exr_stream stream;
-    uint64_t file_size;                /* bytes */
-    uint32_t width, height;            /* px */
-    int lines;                         /* per chunk */
-    const exr_attr_chlist_t *channels; /* the context's, sorted by name */
-    uint64_t pixel_size;               /* bytes per pixel, all channels */
+    tl_exr_part part;
+    uint32_t width, height; /* px */
 } tl_exr_reader;
-
-/* A channel and where it goes. */
-typedef struct tl_exr_target {
-    const char *channel;
-    exr_pixel_type_t
-        held; /* in memory: the channel's type, bit for bit; or float, to which it is converted */
-    void *plane; /* [height][pitch] */
-} tl_exr_target;
 
 /* Opens the file and checks storage kind, windows, extents, channel list, compression, and that
  * the file is large enough for what its header promises. path is kept, not copied. Fails with

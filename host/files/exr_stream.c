@@ -3,6 +3,7 @@
 
 #include "atomic_file.h"
 #include "tilelight/camera.h"
+#include "try.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -162,6 +163,35 @@ tl_status tl_exr_stream_read(tl_exr_stream *stream,
     initializer.flags = EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
     const exr_result_t result = exr_start_read(&stream->context, path, &initializer);
     return result == EXR_ERR_SUCCESS ? TL_OK : end_unopened(stream, result, err);
+}
+
+tl_status tl_exr_stream_open(tl_exr_stream *stream,
+                             const char *path,
+                             uint64_t *file_size,
+                             tl_error *err)
+{
+    tl_status status = TL_OK;
+    struct stat seen;
+    const int descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor < 0)
+        return tl_fail(err, TL_ERR_READ, "%s: cannot be opened: %s", path, strerror(errno));
+    if (fstat(descriptor, &seen) != 0 || !S_ISREG(seen.st_mode))
+        TRY(tl_fail(err, TL_ERR_READ, "%s: cannot be read: it is no regular file", path));
+    TRY(tl_exr_stream_read(stream, path, descriptor, err));
+    *file_size = (uint64_t)seen.st_size;
+done:
+    if (status != TL_OK)
+        close(descriptor);
+    return status;
+}
+
+void tl_exr_stream_close_file(tl_exr_stream *stream)
+{
+    if (!stream->context)
+        return;
+    const int descriptor = stream->descriptor;
+    tl_exr_stream_close(stream, NULL);
+    close(descriptor);
 }
 
 tl_status tl_exr_stream_write(

@@ -7,6 +7,7 @@
 #include <openexr.h>
 
 #include <pthread.h>
+#include <stdint.h>
 
 /* Must not move while it is open: the context points at it. */
 typedef struct tl_exr_stream {
@@ -26,6 +27,14 @@ tl_status tl_exr_stream_read(tl_exr_stream *stream,
                              const char *path,
                              int descriptor,
                              tl_error *err);
+
+/* Opens a regular file and reads it as above; *file_size is in bytes. Released with
+ * tl_exr_stream_close_file, which accepts a closed stream. Fails as above. */
+tl_status tl_exr_stream_open(tl_exr_stream *stream,
+                             const char *path,
+                             uint64_t *file_size,
+                             tl_error *err);
+void tl_exr_stream_close_file(tl_exr_stream *stream);
 
 /* Opens for writing. zip_level is zlib's. Fails with TL_ERR_WRITE or TL_ERR_MEMORY. */
 tl_status tl_exr_stream_write(
