@@ -34,6 +34,12 @@ static void formats_do_not_overlap(void **state)
     }
 }
 
+static tl_status read_capture(const char *path, tl_captured *out, tl_error *err)
+{
+    const tl_capture_request request = {.path = path};
+    return tl_capture_read(&request, out, err);
+}
+
 static void our_own_are_read(void **state)
 {
     (void)state;
@@ -46,7 +52,7 @@ static void our_own_are_read(void **state)
     ASSERT_OK(tl_gbuffer_create(&camera, TL_GROUP_BASE, &made, &err), err);
     fill_awkward(made, 3);
     ASSERT_OK(tl_gbuffer_write(path, made, NULL, &err), err);
-    ASSERT_OK(tl_capture_read(path, NULL, &read, &err), err);
+    ASSERT_OK(read_capture(path, &read, &err), err);
     assert_same_gbuffer("own", read.gbuffer, made);
     assert_false(read.has_lights);
     tl_captured_clear(&read);
@@ -66,14 +72,11 @@ static void others_are_refused(void **state)
     tl_captured read = {0};
     scratch_path(path, sizeof path, "unknown.bin");
     save_bytes(path, "?", 1);
-    assert_refused("unknown", tl_capture_read(path, NULL, &read, &err), TL_ERR_FORMAT, &err,
-                   unknown);
+    assert_refused("unknown", read_capture(path, &read, &err), TL_ERR_FORMAT, &err, unknown);
     remove(path);
     scratch_path(path, sizeof path, "absent.exr");
-    assert_refused("absent", tl_capture_read(path, NULL, &read, &err), TL_ERR_READ, &err,
-                   absent);
-    assert_refused("folder", tl_capture_read("/", NULL, &read, &err), TL_ERR_READ, &err,
-                   folder);
+    assert_refused("absent", read_capture(path, &read, &err), TL_ERR_READ, &err, absent);
+    assert_refused("folder", read_capture("/", &read, &err), TL_ERR_READ, &err, folder);
     assert_null(read.gbuffer);
 }
 

@@ -89,9 +89,10 @@ tl_status job_read(job *j, const char *path, bool strict, tl_error *err)
 {
     tl_status status = TL_OK;
     const double start = tl_seconds();
+    const tl_capture_request request = {.path = path, .notices = &console_notices};
     tl_captured captured = {0};
     console_stage("reading the G-buffer");
-    TRY(tl_capture_read(path, &console_notices, &captured, err));
+    TRY(tl_capture_read(&request, &captured, err));
     j->gbuffer = captured.gbuffer;
     j->lights_inside = captured.has_lights;
     captured.gbuffer = NULL;

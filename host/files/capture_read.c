@@ -17,13 +17,9 @@ static bool is_exr(const tl_capture_start *start)
     return start->size >= sizeof magic && memcmp(start->bytes, magic, sizeof magic) == 0;
 }
 
-static tl_status read_exr(const char *path,
-                          const tl_notices *notices,
-                          tl_captured *out,
-                          tl_error *err)
+static tl_status read_exr(const tl_capture_request *request, tl_captured *out, tl_error *err)
 {
-    (void)notices;
-    return tl_gbuffer_read(path, &out->gbuffer, &out->lights, &out->has_lights, err);
+    return tl_gbuffer_read(request->path, &out->gbuffer, &out->lights, &out->has_lights, err);
 }
 
 const tl_capture_format tl_capture_formats[] = {
@@ -61,21 +57,18 @@ static tl_status unknown_format(const char *path, tl_error *err)
                    path, list);
 }
 
-tl_status tl_capture_read(const char *path,
-                          const tl_notices *notices,
-                          tl_captured *out,
-                          tl_error *err)
+tl_status tl_capture_read(const tl_capture_request *request, tl_captured *out, tl_error *err)
 {
     tl_status status = TL_OK;
     tl_captured read = {0};
     tl_capture_start start;
     size_t i = 0;
-    TRY(read_start(path, &start, err));
+    TRY(read_start(request->path, &start, err));
     while (i < tl_capture_format_count && !tl_capture_formats[i].recognises(&start))
         i++;
     if (i == tl_capture_format_count)
-        TRY(unknown_format(path, err));
-    TRY(tl_capture_formats[i].read(path, notices, &read, err));
+        TRY(unknown_format(request->path, err));
+    TRY(tl_capture_formats[i].read(request, &read, err));
     *out = read;
 done:
     return status;

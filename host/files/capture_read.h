@@ -18,6 +18,12 @@ typedef struct tl_capture_start {
     uint64_t file_size;
 } tl_capture_start;
 
+/* What is to be read. */
+typedef struct tl_capture_request {
+    const char *path;
+    const tl_notices *notices; /* what was assumed; NULL: nobody listens */
+} tl_capture_request;
+
 /* All zero is empty. */
 typedef struct tl_captured {
     tl_gbuffer *gbuffer;
@@ -28,11 +34,8 @@ typedef struct tl_captured {
 typedef struct tl_capture_format {
     const char *name; /* for sentences: "starts as none of: OpenEXR, ..." */
     bool (*recognises)(const tl_capture_start *start);
-    /* Into an empty *out, which it leaves empty where it fails. Notices say what was assumed. */
-    tl_status (*read)(const char *path,
-                      const tl_notices *notices,
-                      tl_captured *out,
-                      tl_error *err);
+    /* Into an empty *out, which it leaves empty where it fails. */
+    tl_status (*read)(const tl_capture_request *request, tl_captured *out, tl_error *err);
 } tl_capture_format;
 
 /* The first that recognises a file reads it; formats with a magic number stand before others. */
@@ -42,10 +45,7 @@ extern const size_t tl_capture_format_count;
 /* Reads a capture by the table. Pixels are as the file has them: see tl_gbuffer_repair. The caller
  * releases *out with tl_captured_clear. Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED or
  * TL_ERR_MEMORY. */
-tl_status tl_capture_read(const char *path,
-                          const tl_notices *notices,
-                          tl_captured *out,
-                          tl_error *err);
+tl_status tl_capture_read(const tl_capture_request *request, tl_captured *out, tl_error *err);
 
 /* Leaves it empty. Accepts an empty one. */
 void tl_captured_clear(tl_captured *captured);
