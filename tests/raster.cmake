@@ -10,3 +10,4 @@ target_include_directories(test_tangent_space PRIVATE ${PROJECT_SOURCE_DIR}/rast
 tl_test(test_capture_view raster tl_raster)
 tl_test(test_capture_damaged raster tl_raster)
 tl_test(test_capture_layouts raster tl_raster)
+tl_test(test_capture_filtering raster tl_raster)

@@ -2,7 +2,9 @@
 
 #include "values.h"
 
-enum { OPTION_SIZE = 256, OPTION_CAMERA, OPTION_LAYOUT };
+enum { OPTION_SIZE = 256, OPTION_CAMERA, OPTION_LAYOUT, OPTION_ANISOTROPY };
+
+static const uint32_t anisotropies[] = {1, 2, 4, 8, TL_MAX_ANISOTROPY};
 
 static error_t parse(int key, char *text, struct argp_state *state)
 {
@@ -13,6 +15,10 @@ static error_t parse(int key, char *text, struct argp_state *state)
         return 0;
     case OPTION_CAMERA: options->camera = text; return 0;
     case OPTION_LAYOUT: options->layout = value_layout(state, "--layout", text); return 0;
+    case OPTION_ANISOTROPY:
+        options->anisotropy = value_among(state, "--anisotropy", text, anisotropies,
+                                          sizeof anisotropies / sizeof anisotropies[0]);
+        return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
@@ -25,6 +31,11 @@ static const struct argp_option options_table[] = {
     {"layout", OPTION_LAYOUT, "NAME", 0,
      "How pixels are packed: a name of `tilelight layouts', whose render targets are drawn to "
      "(default: float, which is full float)",
+     0},
+    {"anisotropy", OPTION_ANISOTROPY, "N", 0,
+     "Looks at a texture that is seen aslant, at most: 1, 2, 4, 8 or 16 (default 16; with 1 it "
+     "blurs). "
+     "For textures with mipmaps",
      0},
     {0},
 };

@@ -7,6 +7,6 @@
 #include <argp.h>
 
 /* Its input is a tl_capture_options. */
-extern const struct argp capture_argp; /* --size, --camera, --layout */
+extern const struct argp capture_argp; /* --size, --camera, --layout ... */
 
 #endif

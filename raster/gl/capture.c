@@ -6,7 +6,6 @@
 
 #include <stdio.h>
 
-
 enum { DEFAULT_WIDTH = 1280, DEFAULT_HEIGHT = 720 };
 
 /* Planes are there where something that is drawn has need of them. */
@@ -24,12 +23,15 @@ static uint32_t planes_of(const tl_model *model)
     return present;
 }
 
-static tl_status check_size(const tl_capture_options *options, tl_error *err)
+static tl_status check_options(const tl_capture_options *options, tl_error *err)
 {
     if (options->width > TL_MAX_EXTENT || options->height > TL_MAX_EXTENT ||
         !options->width != !options->height)
         return tl_fail(err, TL_ERR_ARGUMENT, "cannot capture %u x %u pixels: 1 to %d per side",
                        options->width, options->height, TL_MAX_EXTENT);
+    if (options->anisotropy > TL_MAX_ANISOTROPY)
+        return tl_fail(err, TL_ERR_ARGUMENT, "cannot filter with an anisotropy of %u: 1 to %d",
+                       options->anisotropy, TL_MAX_ANISOTROPY);
     return TL_OK;
 }
 
@@ -48,12 +50,15 @@ static uint32_t stored_planes(const tl_model *model,
 
 static tl_status render(const tl_model *model,
                         const tl_camera *camera,
-                        enum tl_layout_name layout,
+                        const tl_capture_options *options,
                         tl_gbuffer **out,
                         tl_timings *timings,
                         const tl_notices *notices,
                         tl_error *err)
 {
+    const enum tl_layout_name layout = options->layout;
+    const uint32_t anisotropy =
+        options->anisotropy ? options->anisotropy : TL_DEFAULT_ANISOTROPY;
     tl_status status = TL_OK;
     tl_gl *gl = NULL;
     tl_scene_objects objects = {0};
@@ -63,7 +68,7 @@ static tl_status render(const tl_model *model,
                                  &gbuffer, err));
     TRY(tl_gl_open(&gl, err));
     TRY(tl_upload(gl, model, &objects, timings, err));
-    TRY(tl_geometry_pass(gl, model, &objects, gbuffer, timings, err));
+    TRY(tl_geometry_pass(gl, model, &objects, anisotropy, gbuffer, timings, err));
 
     *out = gbuffer;
     gbuffer = NULL;
@@ -90,12 +95,12 @@ tl_status tl_capture(const char *path,
     tl_camera camera;
     const double clock = tl_seconds();
 
-    TRY(check_size(options, err));
+    TRY(check_options(options, err));
     TRY(tl_model_load(path, notices, &model, err));
     TRY(tl_model_lights(model, &found, err));
     TRY(tl_model_camera(model, options->camera, width, height, notices, &camera, err));
     tl_timings_end(timings, "load", clock);
-    TRY(render(model, &camera, options->layout, out, timings, notices, err));
+    TRY(render(model, &camera, options, out, timings, notices, err));
 
     tl_light_set_clear(lights);
     *lights = found;

@@ -29,6 +29,7 @@ typedef struct pass {
     const tl_scene_objects *objects;
     const tl_camera *camera;
     enum tl_layout_name layout;
+    float anisotropy;
     tl_programs *programs;
     tl_depth_buffer depth;
     float clip_from_view[4][4], world_from_view[3][3];
@@ -141,25 +142,34 @@ static void prepare_draws(pass *p)
 
 /* --- uniforms ---------------------------------------------------------------------------------- */
 
+/* Only where there are mipmaps to choose from: without, a file asks for texels as they are. */
+static float anisotropy_of(const pass *p, const tl_texture *texture)
+{
+    return texture->sampler.min_filter >= GL_NEAREST_MIPMAP_NEAREST ? p->anisotropy : 1.0f;
+}
+
 static void set_lookup(const pass *p, const placed_draw *draw)
 {
     const tl_gl *const gl = p->gl;
     GLint coordinates[SLOT_COUNT];
-    GLfloat rows[2 * SLOT_COUNT][3];
+    GLfloat rows[2 * SLOT_COUNT][3], anisotropy[SLOT_COUNT];
     for (GLuint i = 0; i < SLOT_COUNT; i++) {
         const tl_texture_slot *const slot = &draw->material->slots[i];
         coordinates[i] = slot->coordinates;
         for (int k = 0; k < 6; k++)
             rows[2 * i + (GLuint)k / 3][k % 3] = slot->uv_from_coordinates[k / 3][k % 3];
+        anisotropy[i] = 1.0f;
         if (slot->texture == -1)
             continue;
         gl->BindTextureUnit(i, p->objects->textures[p->model->textures[slot->texture].pixels]);
         gl->BindSampler(i, p->objects->samplers[slot->texture]);
+        anisotropy[i] = anisotropy_of(p, &p->model->textures[slot->texture]);
     }
     gl->Uniform4fv(UNIFORM_BASE_COLOR, 1, draw->material->base_color);
     gl->Uniform1f(UNIFORM_ALPHA_CUTOFF, draw->material->alpha_cutoff);
     gl->Uniform1iv(UNIFORM_COORDINATES, SLOT_COUNT, coordinates);
     gl->Uniform3fv(UNIFORM_UV, 2 * SLOT_COUNT, &rows[0][0]);
+    gl->Uniform1fv(UNIFORM_ANISOTROPY, SLOT_COUNT, anisotropy);
 }
 
 static void set_geometry(const pass *p, const placed_draw *draw)
@@ -262,6 +272,7 @@ done:
 tl_status tl_geometry_pass(const tl_gl *gl,
                            const tl_model *model,
                            const tl_scene_objects *objects,
+                           uint32_t anisotropy,
                            tl_gbuffer *gbuffer,
                            tl_timings *timings,
                            tl_error *err)
@@ -273,6 +284,7 @@ tl_status tl_geometry_pass(const tl_gl *gl,
               .objects = objects,
               .camera = &gbuffer->camera,
               .layout = gbuffer->layout,
+              .anisotropy = (float)anisotropy,
               .depth = tl_depth_buffer_of(gbuffer->layout)};
     double clock = tl_seconds();
 

@@ -72,6 +72,7 @@
     X(TextureStorage2D, TEXTURESTORAGE2D)                                   \
     X(TextureSubImage2D, TEXTURESUBIMAGE2D)                                 \
     X(Uniform1f, UNIFORM1F)                                                 \
+    X(Uniform1fv, UNIFORM1FV)                                               \
     X(Uniform1iv, UNIFORM1IV)                                               \
     X(Uniform3fv, UNIFORM3FV)                                               \
     X(Uniform4fv, UNIFORM4FV)                                               \

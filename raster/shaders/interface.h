@@ -26,7 +26,9 @@
 #define UNIFORM_EMISSIVE 7
 #define UNIFORM_FACTORS 8 /* metallic, roughness, normal scale, occlusion strength */
 #define UNIFORM_ALPHA_CUTOFF 9
-#define UNIFORM_COORDINATES 10                            /* [SLOT_COUNT] */
-#define UNIFORM_UV (UNIFORM_COORDINATES + SLOT_COUNT)     /* [2 SLOT_COUNT] rows of matrices */
-#define UNIFORM_EYE (UNIFORM_UV + 2 * SLOT_COUNT) /* in world space, m */
-#define UNIFORM_DEPTH_RANGE (UNIFORM_EYE + 1)     /* near, far in m; 1: parallel rays */
+#define UNIFORM_COORDINATES 10                        /* [SLOT_COUNT] */
+#define UNIFORM_UV (UNIFORM_COORDINATES + SLOT_COUNT) /* [2 SLOT_COUNT] rows of matrices */
+#define UNIFORM_EYE (UNIFORM_UV + 2 * SLOT_COUNT)     /* in world space, m */
+#define UNIFORM_DEPTH_RANGE (UNIFORM_EYE + 1)         /* near, far in m; 1: parallel rays */
+#define UNIFORM_ANISOTROPY \
+    (UNIFORM_DEPTH_RANGE + 1) /* [SLOT_COUNT]; 1: as the sampler alone has it */

@@ -53,7 +53,7 @@ vec3 shading_normal()
 {
     vec3 n = surface_normal();
 #ifdef HAS_NORMAL_MAP
-    vec3 mapped = texture(normal_map, uv_of(SLOT_NORMAL_MAP)).xyz * 2.0 - 1.0;
+    vec3 mapped = look_up(normal_map, SLOT_NORMAL_MAP).xyz * 2.0 - 1.0;
     n = normalize(mapped_normal(mapped * vec3(factors.zz, 1.0)));
 #endif
     return gl_FrontFacing ? n : -n;
@@ -69,16 +69,16 @@ surface visible_surface()
         discard;
 #endif
 #ifdef HAS_METALLIC_ROUGHNESS
-    vec4 rough = texture(metallic_roughness_texture, uv_of(SLOT_METALLIC_ROUGHNESS));
+    vec4 rough = look_up(metallic_roughness_texture, SLOT_METALLIC_ROUGHNESS);
     metallic *= rough.b;
     roughness *= rough.g;
 #endif
 #ifdef HAS_OCCLUSION
-    float open = texture(occlusion_texture, uv_of(SLOT_OCCLUSION)).r;
+    float open = look_up(occlusion_texture, SLOT_OCCLUSION).r;
     occlusion = 1.0 + factors.w * (open - 1.0);
 #endif
 #ifdef HAS_EMISSIVE
-    emitted *= texture(emissive_texture, uv_of(SLOT_EMISSIVE)).rgb;
+    emitted *= look_up(emissive_texture, SLOT_EMISSIVE).rgb;
 #endif
     // The interpolated view position is as exact as depth gets here, a few units of 2^-24, and serves
     // every projection: 1 / gl_FragCoord.w is the same number but for orthographic cameras, and
