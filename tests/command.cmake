@@ -17,3 +17,8 @@ add_test(NAME layouts_page_is_made
          COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/scripts/make-layouts-page
                  $<TARGET_FILE:tilelight> --check)
 tl_test_properties(layouts_page_is_made command)
+
+# Is the table of the page on captures that of the committed result?
+add_test(NAME captures_page_is_made
+         COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/scripts/make-captures-page --check)
+tl_test_properties(captures_page_is_made unit)
