@@ -2,7 +2,14 @@
 
 #include "values.h"
 
-enum { OPTION_SIZE = 256, OPTION_CAMERA, OPTION_LAYOUT, OPTION_ANISOTROPY };
+enum {
+    OPTION_SIZE = 256,
+    OPTION_CAMERA,
+    OPTION_LAYOUT,
+    OPTION_ANISOTROPY,
+    OPTION_TIME,
+    OPTION_ANIMATION
+};
 
 static const uint32_t anisotropies[] = {1, 2, 4, 8, TL_MAX_ANISOTROPY};
 
@@ -14,6 +21,11 @@ static error_t parse(int key, char *text, struct argp_state *state)
         value_size(state, "--size", text, &options->width, &options->height);
         return 0;
     case OPTION_CAMERA: options->camera = text; return 0;
+    case OPTION_TIME:
+        options->time = value_number(state, "--time", text, 0.0, 1e9);
+        options->has_time = true;
+        return 0;
+    case OPTION_ANIMATION: options->animation = text; return 0;
     case OPTION_LAYOUT: options->layout = value_layout(state, "--layout", text); return 0;
     case OPTION_ANISOTROPY:
         options->anisotropy = value_among(state, "--anisotropy", text, anisotropies,
@@ -28,6 +40,12 @@ static const struct argp_option options_table[] = {
     {"camera", OPTION_CAMERA, "NAME|INDEX", 0,
      "A camera of the file (default: the first of its scene, else a view of the whole scene)",
      0},
+    {"time", OPTION_TIME, "SECONDS", 0,
+     "The moment of an animation, at its end if it has ended before (default: the scene as "
+     "the file has it, or 0 with --animation)",
+     0},
+    {"animation", OPTION_ANIMATION, "NAME|INDEX", 0,
+     "Which animation of the file --time is of (default: the first)", 0},
     {"layout", OPTION_LAYOUT, "NAME", 0,
      "How pixels are packed: a name of `tilelight layouts', whose render targets are drawn to "
      "(default: float, which is full float)",

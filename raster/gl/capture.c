@@ -89,6 +89,7 @@ tl_status tl_capture(const char *path,
 {
     const uint32_t width = options->width ? options->width : DEFAULT_WIDTH;
     const uint32_t height = options->height ? options->height : DEFAULT_HEIGHT;
+    const tl_moment moment = {options->animation, options->time, options->has_time};
     tl_status status = TL_OK;
     tl_model *model = NULL;
     tl_light_set found = {0};
@@ -96,7 +97,7 @@ tl_status tl_capture(const char *path,
     const double clock = tl_seconds();
 
     TRY(check_options(options, err));
-    TRY(tl_model_load(path, notices, &model, err));
+    TRY(tl_model_load(path, &moment, notices, &model, err));
     TRY(tl_model_lights(model, &found, err));
     TRY(tl_model_camera(model, options->camera, width, height, notices, &camera, err));
     tl_timings_end(timings, "load", clock);

@@ -29,7 +29,7 @@ static GLuint upload_vertices(const tl_gl *gl, const tl_vertices *vertices)
     GLuint array = 0;
     gl->CreateVertexArrays(1, &array);
     for (GLuint i = 0; i < TL_GLTF_ATTRIBUTE_COUNT; i++) {
-        const int width = tl_attribute_width((enum tl_gltf_attribute)i);
+        const int width = tl_accessor_width((int)i);
         const size_t stride = (size_t)width * sizeof(float);
         if (!vertices->attributes[i])
             continue;

@@ -47,35 +47,49 @@ static const struct component *component_of(int type)
     return NULL;
 }
 
-/* --- attributes ------------------------------------------------------------------------------- */
+/* --- uses -------------------------------------------------------------------------------------- */
 
 static const struct {
     const char *name;
     int least, most; /* components */
-} attributes[TL_GLTF_ATTRIBUTE_COUNT] = {
-#define ATTRIBUTE(name, attribute, least, most) [name] = {attribute, least, most},
-    TL_GLTF_ATTRIBUTES(ATTRIBUTE)
-#undef ATTRIBUTE
+} uses[TL_USE_COUNT] = {
+#define USE(name, word, least, most) [name] = {word, least, most},
+    TL_GLTF_ATTRIBUTES(USE) TL_ACCESSOR_USES(USE)
+#undef USE
 };
 
-enum { SMALL = INT8 | UINT8 | INT16 | UINT16 };
+enum { SIGNED = INT8 | INT16, UNSIGNED = UINT8 | UINT16, SMALL = SIGNED | UNSIGNED };
 
-/* How each may be stored, as it is and as parts of 1: glTF 2.0, section 3.7.2.1, and
- * KHR_mesh_quantization, which adds the integers that are not normalised and the signed ones. */
+/* How each may be stored, as it is and as parts of 1: glTF 2.0, sections 3.7.2.1 (attributes), 3.7.2.2
+ * (morph targets), 3.7.3 (skins) and 3.11 (animations); KHR_mesh_quantization, which adds the integers
+ * that are not normalised and the signed ones; and EXT_mesh_gpu_instancing. */
 static const struct {
     unsigned plain, normalized;
-} stored_as[TL_GLTF_ATTRIBUTE_COUNT] = {
+} stored_as[TL_USE_COUNT] = {
     [TL_GLTF_POSITION] = {FLOAT32 | SMALL, SMALL},
-    [TL_GLTF_NORMAL] = {FLOAT32, INT8 | INT16},
-    [TL_GLTF_TANGENT] = {FLOAT32, INT8 | INT16},
+    [TL_GLTF_NORMAL] = {FLOAT32, SIGNED},
+    [TL_GLTF_TANGENT] = {FLOAT32, SIGNED},
     [TL_GLTF_TEXCOORD_0] = {FLOAT32 | SMALL, SMALL},
     [TL_GLTF_TEXCOORD_1] = {FLOAT32 | SMALL, SMALL},
-    [TL_GLTF_COLOR] = {FLOAT32, UINT8 | UINT16},
+    [TL_GLTF_COLOR] = {FLOAT32, UNSIGNED},
+    [TL_USE_MORPH_POSITION] = {FLOAT32 | SIGNED, SIGNED},
+    [TL_USE_MORPH_NORMAL] = {FLOAT32, SIGNED},
+    [TL_USE_MORPH_TANGENT] = {FLOAT32, SIGNED},
+    [TL_USE_JOINTS] = {UNSIGNED, 0},
+    [TL_USE_WEIGHTS] = {FLOAT32, UNSIGNED},
+    [TL_USE_INVERSE_BIND] = {FLOAT32, 0},
+    [TL_USE_KEY_TIMES] = {FLOAT32, 0},
+    [TL_USE_KEY_VECTORS] = {FLOAT32, 0},
+    [TL_USE_KEY_ROTATIONS] = {FLOAT32, SMALL},
+    [TL_USE_KEY_WEIGHTS] = {FLOAT32, SMALL},
+    [TL_USE_INSTANCE_TRANSLATION] = {FLOAT32, 0},
+    [TL_USE_INSTANCE_ROTATION] = {FLOAT32, SIGNED},
+    [TL_USE_INSTANCE_SCALE] = {FLOAT32, 0},
 };
 
-int tl_attribute_width(enum tl_gltf_attribute attribute)
+int tl_accessor_width(int use)
 {
-    return attributes[attribute].most;
+    return uses[use].most;
 }
 
 /* --- places in buffers ------------------------------------------------------------------------ */
@@ -260,31 +274,30 @@ static tl_status convert_floats(void *context, size_t i, const uint8_t *bytes, t
     return TL_OK;
 }
 
-tl_status tl_accessor_read_attribute(const tl_gltf *gltf,
-                                     const char *user,
-                                     int accessor,
-                                     enum tl_gltf_attribute attribute,
-                                     tl_budget *budget,
-                                     float **out,
-                                     size_t *count,
-                                     tl_error *err)
+tl_status tl_accessor_read(const tl_gltf *gltf,
+                           const char *user,
+                           int accessor,
+                           int use,
+                           tl_budget *budget,
+                           float **out,
+                           size_t *count,
+                           tl_error *err)
 {
-    const int width = attributes[attribute].most;
+    const int width = uses[use].most;
     tl_status status = TL_OK;
     opened a;
     void *data = NULL;
 
     TRY(open_accessor(gltf, user, accessor, &a, err));
     const unsigned types = a.from->normalized && a.component->bit != FLOAT32
-                               ? stored_as[attribute].normalized
-                               : stored_as[attribute].plain;
-    if (!(types & a.component->bit) || a.from->component_count < attributes[attribute].least ||
+                               ? stored_as[use].normalized
+                               : stored_as[use].plain;
+    if (!(types & a.component->bit) || a.from->component_count < uses[use].least ||
         a.from->component_count > width) {
         status = tl_fail(err, TL_ERR_FORMAT,
                          "%s: %s: %s cannot be accessor %d with %d components of type %d%s",
-                         gltf->path, user, attributes[attribute].name, accessor,
-                         a.from->component_count, a.from->component_type,
-                         a.from->normalized ? ", normalised" : "");
+                         gltf->path, user, uses[use].name, accessor, a.from->component_count,
+                         a.from->component_type, a.from->normalized ? ", normalised" : "");
         goto done;
     }
     TRY(tl_budget_take(budget, gltf, user, a.from->count, (size_t)width * sizeof(float), &data,

@@ -26,24 +26,49 @@ tl_status tl_budget_take(tl_budget *budget,
                          void **out,
                          tl_error *err);
 
-/* Reads an accessor as attribute `attribute`: *out is [count][tl_attribute_width], owned by the
- * caller. Integers become what the file means by them; colours without alpha get 1. Fails with
- * TL_ERR_FORMAT, naming `user` and the accessor: an index or a range outside, a type that this
- * attribute may not have, a value that is not finite; and as tl_budget_take. */
-tl_status tl_accessor_read_attribute(const tl_gltf *gltf,
-                                     const char *user,
-                                     int accessor,
-                                     enum tl_gltf_attribute attribute,
-                                     tl_budget *budget,
-                                     float **out,
-                                     size_t *count,
-                                     tl_error *err);
+/* What floats are for. The attributes of vertices come first, in the order of gltf.h; then,
+ * X(name, word in the file, components at least, at most). */
+#define TL_ACCESSOR_USES(X)                               \
+    X(TL_USE_MORPH_POSITION, "POSITION", 3, 3)            \
+    X(TL_USE_MORPH_NORMAL, "NORMAL", 3, 3)                \
+    X(TL_USE_MORPH_TANGENT, "TANGENT", 3, 3)              \
+    X(TL_USE_JOINTS, "JOINTS", 4, 4)                      \
+    X(TL_USE_WEIGHTS, "WEIGHTS", 4, 4)                    \
+    X(TL_USE_INVERSE_BIND, "inverseBindMatrices", 16, 16) \
+    X(TL_USE_KEY_TIMES, "input", 1, 1)                    \
+    X(TL_USE_KEY_VECTORS, "output", 3, 3)                 \
+    X(TL_USE_KEY_ROTATIONS, "output", 4, 4)               \
+    X(TL_USE_KEY_WEIGHTS, "output", 1, 1)                 \
+    X(TL_USE_INSTANCE_TRANSLATION, "TRANSLATION", 3, 3)   \
+    X(TL_USE_INSTANCE_ROTATION, "ROTATION", 4, 4)         \
+    X(TL_USE_INSTANCE_SCALE, "SCALE", 3, 3)
 
-/* Floats per element in memory: the most components that the attribute may have. */
-int tl_attribute_width(enum tl_gltf_attribute attribute);
+enum tl_accessor_use {
+    TL_USE_BEFORE_FIRST = TL_GLTF_ATTRIBUTE_COUNT - 1,
+#define TL_ACCESSOR_USE_NAME(name, word, least, most) name,
+    TL_ACCESSOR_USES(TL_ACCESSOR_USE_NAME)
+#undef TL_ACCESSOR_USE_NAME
+        TL_USE_COUNT
+};
+
+/* Reads an accessor for `use`, an enum tl_gltf_attribute or tl_accessor_use: *out is
+ * [count][tl_accessor_width], owned by the caller. Integers become what the file means by them;
+ * colours without alpha get 1. Fails with TL_ERR_FORMAT, naming `user` and the accessor: an index or a
+ * range outside, a type that this use may not have, a value that is not finite; and as tl_budget_take. */
+tl_status tl_accessor_read(const tl_gltf *gltf,
+                           const char *user,
+                           int accessor,
+                           int use,
+                           tl_budget *budget,
+                           float **out,
+                           size_t *count,
+                           tl_error *err);
+
+/* Floats per element in memory: the most components that the use may have. */
+int tl_accessor_width(int use);
 
 /* Reads an accessor as vertex indices below `vertex_count`: *out is [count], owned by the caller.
- * Fails as tl_accessor_read_attribute does. */
+ * Fails as tl_accessor_read does. */
 tl_status tl_accessor_read_indices(const tl_gltf *gltf,
                                    const char *user,
                                    int accessor,

@@ -8,6 +8,7 @@
 static const struct {
     const char *name, *effect;
 } supported[] = {
+    {"EXT_mesh_gpu_instancing", "a mesh at many places"},
     {"KHR_lights_punctual", "point, directional and spot lights"},
     {"KHR_materials_emissive_strength", "a factor on the emitted light"},
     {"KHR_mesh_quantization", "integer positions, normals, tangents and texture coordinates"},

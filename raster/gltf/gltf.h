@@ -51,17 +51,32 @@ enum tl_gltf_attribute {
         TL_GLTF_ATTRIBUTE_COUNT
 };
 
+/* What morph targets displace: the attributes before these. */
+enum { TL_GLTF_MORPHED_COUNT = TL_GLTF_TANGENT + 1 };
+
+typedef struct tl_gltf_target {
+    int attributes[TL_GLTF_MORPHED_COUNT]; /* accessors of displacements */
+} tl_gltf_target;
+
+/* JOINTS_n and WEIGHTS_n. */
+typedef struct tl_gltf_influences {
+    int joints, weights; /* accessors */
+} tl_gltf_influences;
+
 typedef struct tl_gltf_primitive {
     int mode; /* 0 to 6 in a valid file */
     int indices, material;
     int attributes[TL_GLTF_ATTRIBUTE_COUNT]; /* accessors */
-    bool morphs;
+    size_t target_count, influences_count;
+    const tl_gltf_target *targets;
+    const tl_gltf_influences *influences;
 } tl_gltf_primitive;
 
 typedef struct tl_gltf_mesh {
     const char *name; /* names are never NULL */
-    size_t primitive_count;
+    size_t primitive_count, weight_count;
     const tl_gltf_primitive *primitives;
+    const double *weights; /* of morph targets */
 } tl_gltf_mesh;
 
 typedef struct tl_gltf_node {
@@ -70,9 +85,37 @@ typedef struct tl_gltf_node {
     size_t child_count;
     const int *children;
     /* Numbers as found; a count of 0 means absent. */
-    size_t matrix_count, translation_count, rotation_count, scale_count;
-    const double *matrix, *translation, *rotation, *scale;
+    size_t matrix_count, translation_count, rotation_count, scale_count, weight_count;
+    const double *matrix, *translation, *rotation, *scale, *weights;
+    /* EXT_mesh_gpu_instancing: accessors. */
+    int instance_translation, instance_rotation, instance_scale;
 } tl_gltf_node;
+
+typedef struct tl_gltf_skin {
+    const char *name;
+    int inverse_bind, skeleton; /* an accessor, a node */
+    size_t joint_count;
+    const int *joints; /* nodes */
+} tl_gltf_skin;
+
+/* A sampler of an animation. */
+typedef struct tl_gltf_keys {
+    int times, values; /* accessors */
+    const char *interpolation;
+} tl_gltf_keys;
+
+typedef struct tl_gltf_channel {
+    int keys, node;
+    const char *path; /* what of the node: "rotation" */
+} tl_gltf_channel;
+
+/* Without the channels whose target is no node: extensions have those. */
+typedef struct tl_gltf_animation {
+    const char *name;
+    size_t keys_count, channel_count;
+    const tl_gltf_keys *keys;
+    const tl_gltf_channel *channels;
+} tl_gltf_animation;
 
 typedef struct tl_gltf_scene {
     const char *name;
@@ -141,7 +184,7 @@ typedef struct tl_gltf {
     int default_scene;
     size_t buffer_count, view_count, accessor_count, mesh_count, node_count, scene_count;
     size_t material_count, texture_count, sampler_count, image_count, camera_count, light_count;
-    size_t used_count, required_count;
+    size_t skin_count, animation_count, used_count, required_count;
     const tl_gltf_bytes *buffers;
     const tl_gltf_view *views;
     const tl_gltf_accessor *accessors;
@@ -154,6 +197,8 @@ typedef struct tl_gltf {
     const tl_gltf_image *images;
     const tl_gltf_camera *cameras;
     const tl_gltf_light *lights;
+    const tl_gltf_skin *skins;
+    const tl_gltf_animation *animations;
     const char *const *extensions_used, *const *extensions_required;
 } tl_gltf;
 

@@ -13,6 +13,7 @@
 
 #include <cstdlib>
 #include <exception>
+#include <map>
 #include <memory>
 #include <new>
 #include <string>
@@ -30,6 +31,10 @@ struct document : tl_gltf {
     std::vector<tl_gltf_view> view_list;
     std::vector<tl_gltf_accessor> accessor_list;
     std::vector<std::vector<tl_gltf_primitive>> primitive_lists;
+    std::vector<std::vector<tl_gltf_target>> target_lists;
+    std::vector<std::vector<tl_gltf_influences>> influences_lists;
+    std::vector<std::vector<tl_gltf_keys>> keys_lists;
+    std::vector<std::vector<tl_gltf_channel>> channel_lists;
     std::vector<tl_gltf_mesh> mesh_list;
     std::vector<tl_gltf_node> node_list;
     std::vector<tl_gltf_scene> scene_list;
@@ -39,6 +44,8 @@ struct document : tl_gltf {
     std::vector<tl_gltf_image> image_list;
     std::vector<tl_gltf_camera> camera_list;
     std::vector<tl_gltf_light> light_list;
+    std::vector<tl_gltf_skin> skin_list;
+    std::vector<tl_gltf_animation> animation_list;
     std::vector<const char *> used_list, required_list;
 };
 
@@ -201,18 +208,69 @@ tl_gltf_accessor mirror(const tinygltf::Accessor &from)
     return to;
 }
 
+int attribute(const std::map<std::string, int> &attributes, const std::string &name)
+{
+    const auto found = attributes.find(name);
+    return found == attributes.end() ? -1 : found->second;
+}
+
 tl_gltf_primitive mirror(const tinygltf::Primitive &from)
 {
     tl_gltf_primitive to = {};
     to.mode = from.mode;
     to.indices = from.indices;
     to.material = from.material;
-    to.morphs = !from.targets.empty();
-    for (int i = 0; i < TL_GLTF_ATTRIBUTE_COUNT; i++) {
-        const auto found = from.attributes.find(attribute_names[i]);
-        to.attributes[i] = found == from.attributes.end() ? -1 : found->second;
-    }
+    for (int i = 0; i < TL_GLTF_ATTRIBUTE_COUNT; i++)
+        to.attributes[i] = attribute(from.attributes, attribute_names[i]);
     return to;
+}
+
+tl_gltf_target mirror(const std::map<std::string, int> &from)
+{
+    tl_gltf_target to = {};
+    for (int i = 0; i < TL_GLTF_MORPHED_COUNT; i++)
+        to.attributes[i] = attribute(from, attribute_names[i]);
+    return to;
+}
+
+// Sets are numbered from 0 on; one that is missing between others stays without accessors.
+std::vector<tl_gltf_influences> mirror_influences(const std::map<std::string, int> &from)
+{
+    std::vector<tl_gltf_influences> to;
+    for (size_t i = 0; i < from.size(); i++)
+        to.push_back({attribute(from, "JOINTS_" + std::to_string(i)),
+                      attribute(from, "WEIGHTS_" + std::to_string(i))});
+    while (!to.empty() && to.back().joints == -1 && to.back().weights == -1)
+        to.pop_back();
+    return to;
+}
+
+tl_gltf_skin mirror(const tinygltf::Skin &from)
+{
+    return {from.name.c_str(), from.inverseBindMatrices, from.skeleton, from.joints.size(),
+            from.joints.data()};
+}
+
+tl_gltf_keys mirror(const tinygltf::AnimationSampler &from)
+{
+    return {from.input, from.output, from.interpolation.c_str()};
+}
+
+tl_gltf_channel mirror(const tinygltf::AnimationChannel &from)
+{
+    return {from.sampler, from.target_node, from.target_path.c_str()};
+}
+
+void mirror_instancing(const tinygltf::Node &from, tl_gltf_node &to)
+{
+    const Value *instancing = find(from.extensions, "EXT_mesh_gpu_instancing");
+    const Value attributes =
+        instancing && instancing->IsObject() && instancing->Has("attributes")
+            ? instancing->Get("attributes")
+            : Value();
+    to.instance_translation = index_number(&attributes, "TRANSLATION", -1);
+    to.instance_rotation = index_number(&attributes, "ROTATION", -1);
+    to.instance_scale = index_number(&attributes, "SCALE", -1);
 }
 
 tl_gltf_node mirror(const tinygltf::Node &from)
@@ -234,6 +292,9 @@ tl_gltf_node mirror(const tinygltf::Node &from)
     to.rotation = from.rotation.data();
     to.scale_count = from.scale.size();
     to.scale = from.scale.data();
+    to.weight_count = from.weights.size();
+    to.weights = from.weights.data();
+    mirror_instancing(from, to);
     return to;
 }
 
@@ -308,18 +369,50 @@ void mirror_all(const std::vector<From> &from,
     count = to.size();
 }
 
+// Lists of lists grow by whole lists, whose elements stay where they are.
+void mirror_deformations(document &d, const tinygltf::Primitive &from, tl_gltf_primitive &to)
+{
+    d.target_lists.emplace_back();
+    mirror_all(from.targets, d.target_lists.back(), to.targets, to.target_count);
+    d.influences_lists.push_back(mirror_influences(from.attributes));
+    to.influences = d.influences_lists.back().data();
+    to.influences_count = d.influences_lists.back().size();
+}
+
 void mirror_meshes(document &d)
 {
     d.primitive_lists.resize(d.model.meshes.size());
     for (size_t i = 0; i < d.model.meshes.size(); i++) {
+        const tinygltf::Mesh &from = d.model.meshes[i];
         tl_gltf_mesh mesh = {};
-        mesh.name = d.model.meshes[i].name.c_str();
-        mirror_all(d.model.meshes[i].primitives, d.primitive_lists[i], mesh.primitives,
+        mesh.name = from.name.c_str();
+        mesh.weight_count = from.weights.size();
+        mesh.weights = from.weights.data();
+        mirror_all(from.primitives, d.primitive_lists[i], mesh.primitives,
                    mesh.primitive_count);
+        for (size_t k = 0; k < mesh.primitive_count; k++)
+            mirror_deformations(d, from.primitives[k], d.primitive_lists[i][k]);
         d.mesh_list.push_back(mesh);
     }
     d.meshes = d.mesh_list.data();
     d.mesh_count = d.mesh_list.size();
+}
+
+void mirror_animations(document &d)
+{
+    const auto &from = d.model.animations;
+    d.keys_lists.resize(from.size());
+    d.channel_lists.resize(from.size());
+    for (size_t i = 0; i < from.size(); i++) {
+        tl_gltf_animation animation = {};
+        animation.name = from[i].name.c_str();
+        mirror_all(from[i].samplers, d.keys_lists[i], animation.keys, animation.keys_count);
+        mirror_all(from[i].channels, d.channel_lists[i], animation.channels,
+                   animation.channel_count);
+        d.animation_list.push_back(animation);
+    }
+    d.animations = d.animation_list.data();
+    d.animation_count = d.animation_list.size();
 }
 
 void mirror_model(document &d)
@@ -338,9 +431,11 @@ void mirror_model(document &d)
     mirror_all(m.images, d.image_list, d.images, d.image_count);
     mirror_all(m.cameras, d.camera_list, d.cameras, d.camera_count);
     mirror_all(m.lights, d.light_list, d.lights, d.light_count);
+    mirror_all(m.skins, d.skin_list, d.skins, d.skin_count);
     mirror_all(m.extensionsUsed, d.used_list, d.extensions_used, d.used_count);
     mirror_all(m.extensionsRequired, d.required_list, d.extensions_required, d.required_count);
     mirror_meshes(d);
+    mirror_animations(d);
 }
 
 // --- parsing ----------------------------------------------------------------------------------
@@ -359,6 +454,20 @@ std::string as_clause(std::string text)
         if (static_cast<unsigned char>(c) < 0x20)
             c = ' ';
     return text.size() > 300 ? text.substr(0, 300) + " ..." : text;
+}
+
+// Errors of tinygltf 2.7 that the specification has not: without inverse bind matrices they are
+// identities, and a channel without a node, which it leaves out, belongs to an extension.
+void forgive(std::string &error)
+{
+    static const char *const forgiven[] = {
+        "'inverseBindMatrices' property is missing in Skin.\n",
+        "'node' property is missing.\n"
+        "`node` field is missing in animation.channels.target\n",
+    };
+    for (const std::string text : forgiven)
+        for (size_t at = error.find(text); at != std::string::npos; at = error.find(text))
+            error.erase(at, text.size());
 }
 
 bool run_parser(document &d,
@@ -395,6 +504,7 @@ tl_status parse(document &d,
         reader.folder = "/.";
 
     const bool parsed = run_parser(d, text, data, size, reader, error);
+    forgive(error);
     mirror_model(d);
     // First, because what an unknown extension leaves out looks like other faults.
     const tl_status status =

@@ -8,11 +8,21 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* A mesh as a node shows it: nodes that show it alike share its parts. */
+typedef struct version {
+    bool is_read;
+    size_t first;          /* of its parts */
+    size_t skin_node;      /* joints move it for this node alone; NO_NODE: none do */
+    const double *weights; /* of its morph targets; NULL: all 0 */
+} version;
+
+static const size_t NO_NODE = (size_t)-1;
+
 typedef struct loader {
     tl_model *model;
     tl_budget budget;
-    size_t *first_parts; /* [mesh_count]: where a mesh's parts begin, SIZE_MAX: not read */
-    size_t skipped_count, morphing_count; /* primitives */
+    version *versions;    /* [mesh_count]: the last that was read */
+    size_t skipped_count; /* primitives */
 } loader;
 
 /* --- triangles --------------------------------------------------------------------------------- */
@@ -87,9 +97,9 @@ static tl_status read_attributes(loader *at,
         size_t count = 0;
         if (from->attributes[i] == -1)
             continue;
-        const tl_status status = tl_accessor_read_attribute(
-            at->model->gltf, user, from->attributes[i], (enum tl_gltf_attribute)i, &at->budget,
-            &vertices->attributes[i], &count, err);
+        const tl_status status =
+            tl_accessor_read(at->model->gltf, user, from->attributes[i], i, &at->budget,
+                             &vertices->attributes[i], &count, err);
         if (status != TL_OK)
             return status;
         if (i == TL_GLTF_POSITION) /* the first of the attributes */
@@ -105,162 +115,151 @@ static tl_status read_attributes(loader *at,
     return TL_OK;
 }
 
-static void flat_normal(const float corners[3][3], float out[3])
-{
-    double edges[2][3], normal[3];
-    for (int c = 0; c < 3; c++) {
-        edges[0][c] = (double)corners[1][c] - (double)corners[0][c];
-        edges[1][c] = (double)corners[2][c] - (double)corners[0][c];
-    }
-    tl_cross(edges[0], edges[1], normal);
-    if (!tl_normalize(normal)) /* a triangle without area, which covers no pixel */
-        normal[0] = normal[1] = normal[2] = 0.0;
-    for (int c = 0; c < 3; c++)
-        out[c] = (float)normal[c];
-}
-
-/* Gives every triangle vertices of its own with its normal; given tangents go, as glTF demands. */
-static tl_status make_flat(
-    loader *at, const char *user, tl_vertices *vertices, tl_part *part, tl_error *err)
-{
-    tl_vertices flat = {.count = part->index_count};
-    tl_status status = TL_OK;
-
-    for (int i = 0; i < TL_GLTF_ATTRIBUTE_COUNT; i++) {
-        const size_t width = (size_t)tl_attribute_width((enum tl_gltf_attribute)i);
-        void *data = NULL;
-        if (i == TL_GLTF_TANGENT || (i != TL_GLTF_NORMAL && !vertices->attributes[i]))
-            continue;
-        TRY(tl_budget_take(&at->budget, at->model->gltf, user, flat.count,
-                           width * sizeof(float), &data, err));
-        flat.attributes[i] = data;
-        for (size_t k = 0; k < flat.count && vertices->attributes[i]; k++)
-            memcpy(flat.attributes[i] + width * k,
-                   vertices->attributes[i] + width * part->indices[k], width * sizeof(float));
-    }
-    for (size_t k = 0; k < flat.count; k++) {
-        float corners[3][3];
-        memcpy(corners, flat.attributes[TL_GLTF_POSITION] + 9 * (k / 3), sizeof corners);
-        flat_normal((const float(*)[3])corners, flat.attributes[TL_GLTF_NORMAL] + 3 * k);
-        part->indices[k] = (uint32_t)k;
-    }
-    const tl_vertices shared = *vertices;
-    *vertices = flat;
-    flat = shared;
-done:
-    for (int i = 0; i < TL_GLTF_ATTRIBUTE_COUNT; i++)
-        free(flat.attributes[i]);
-    return status;
-}
-
 /* --- parts ------------------------------------------------------------------------------------- */
+
+tl_primitive_label tl_label_primitive(const tl_gltf *gltf, size_t mesh, size_t primitive)
+{
+    tl_primitive_label label;
+    snprintf(label.text, sizeof label.text, "%s, primitive %zu",
+             tl_label_of("mesh", mesh, gltf->meshes[mesh].name).text, primitive);
+    return label;
+}
+
+void tl_vertices_clear(tl_vertices *vertices)
+{
+    for (int i = 0; i < TL_GLTF_ATTRIBUTE_COUNT; i++)
+        free(vertices->attributes[i]);
+    free(vertices->sources);
+    *vertices = (tl_vertices){0};
+}
+
+static bool have_same_vertices(const tl_gltf_primitive *a, const tl_gltf_primitive *b)
+{
+    return memcmp(a->attributes, b->attributes, sizeof a->attributes) == 0 &&
+           a->target_count == b->target_count && a->influences_count == b->influences_count &&
+           (a->target_count == 0 ||
+            memcmp(a->targets, b->targets, a->target_count * sizeof *a->targets) == 0) &&
+           (a->influences_count == 0 ||
+            memcmp(a->influences, b->influences, a->influences_count * sizeof *a->influences) ==
+                0);
+}
 
 /* Exporters let the primitives of a mesh share one set of vertices; so do parts, unless flat
  * normals made them their own. */
 static bool shares_vertices(const tl_gltf_mesh *mesh, size_t primitive, const tl_part *before)
 {
     const tl_gltf_primitive *const one = &mesh->primitives[primitive];
-    return primitive > 0 && before[-1].index_count > 0 &&
-           one->attributes[TL_GLTF_NORMAL] != -1 &&
-           memcmp(one->attributes, one[-1].attributes, sizeof one->attributes) == 0;
+    return primitive > 0 && before[-1].index_count > 0 && !before[-1].flat &&
+           have_same_vertices(one, &one[-1]);
 }
 
-static tl_status load_part(loader *at, size_t mesh_index, size_t primitive, tl_error *err)
+static tl_status load_part(
+    loader *at, size_t mesh_index, size_t primitive, const double *weights, tl_error *err)
 {
     tl_model *const model = at->model;
     const tl_gltf *const gltf = model->gltf;
     const tl_gltf_mesh *const mesh = &gltf->meshes[mesh_index];
     const tl_gltf_primitive *const from = &mesh->primitives[primitive];
+    const tl_primitive_label user = tl_label_primitive(gltf, mesh_index, primitive);
     tl_part *const part = &model->parts[model->part_count];
     uint32_t *sequence = NULL;
     tl_status status = TL_OK;
-    char user[160];
 
-    snprintf(user, sizeof user, "%s, primitive %zu",
-             tl_label_of("mesh", mesh_index, mesh->name).text, primitive);
-    *part = (tl_part){.material = gltf->material_count};
+    *part =
+        (tl_part){.mesh = mesh_index, .primitive = primitive, .material = gltf->material_count};
     model->part_count++;
     if (from->mode < 0 || from->mode >= MODE_COUNT)
         return tl_fail(err, TL_ERR_FORMAT, "%s: %s has the mode %d; 0 to 6 are modes",
-                       gltf->path, user, from->mode);
+                       gltf->path, user.text, from->mode);
     if (from->material != -1) {
-        TRY(tl_gltf_check_index(gltf, user, "material", from->material, gltf->material_count,
-                                err));
+        TRY(tl_gltf_check_index(gltf, user.text, "material", from->material,
+                                gltf->material_count, err));
         part->material = (size_t)from->material;
     }
-    at->morphing_count += from->morphs;
     if (from->mode < FIRST_TRIANGLE_MODE || from->attributes[TL_GLTF_POSITION] == -1) {
         at->skipped_count++;
         return TL_OK;
     }
     if (!shares_vertices(mesh, primitive, part)) {
-        model->vertices_count++;
-        TRY(read_attributes(at, user, from, &model->vertices[model->vertices_count - 1], err));
+        tl_vertices *const made = &model->vertices[model->vertices_count++];
+        TRY(read_attributes(at, user.text, from, made, err));
+        TRY(tl_morph(gltf, user.text, from, weights, made, err));
     }
     part->vertices = model->vertices_count - 1;
     tl_vertices *const vertices = &model->vertices[part->vertices];
     size_t length = vertices->count;
     if (from->indices != -1)
-        TRY(tl_accessor_read_indices(gltf, user, from->indices, vertices->count, &at->budget,
-                                     &sequence, &length, err));
-    TRY(expand_triangles(at, user, from->mode, sequence, length, part, err));
+        TRY(tl_accessor_read_indices(gltf, user.text, from->indices, vertices->count,
+                                     &at->budget, &sequence, &length, err));
+    TRY(expand_triangles(at, user.text, from->mode, sequence, length, part, err));
     if (!vertices->attributes[TL_GLTF_NORMAL])
-        TRY(make_flat(at, user, vertices, part, err));
+        TRY(tl_make_flat(gltf, user.text, &at->budget, vertices, part, err));
 done:
     free(sequence);
     return status;
 }
 
-/* Counts what will be read and drawn, so that it is allocated once. */
+/* --- placements -------------------------------------------------------------------------------- */
+
+/* Room for what is drawn at most, so that it is allocated once; no more parts can be read. */
 static tl_status make_room(loader *at, const tl_placements *placements, tl_error *err)
 {
     tl_model *const model = at->model;
     const tl_gltf *const gltf = model->gltf;
-    size_t parts = 0, draws = 0;
+    size_t draws = 0;
 
-    at->first_parts = malloc((gltf->mesh_count + 1) * sizeof *at->first_parts);
-    for (size_t i = 0; i < gltf->mesh_count && at->first_parts; i++)
-        at->first_parts[i] = SIZE_MAX;
-    for (size_t i = 0; i < placements->count && at->first_parts; i++) {
-        const size_t mesh = (size_t)placements->meshes[i].what;
-        const size_t count = gltf->meshes[mesh].primitive_count;
-        if (at->first_parts[mesh] == SIZE_MAX) {
-            at->first_parts[mesh] = parts;
-            parts += count;
-        }
-        draws += count;
+    for (size_t i = 0; i < placements->count; i++) {
+        draws += gltf->meshes[placements->meshes[i].what].primitive_count;
         if (draws > TL_MAX_DRAW_COUNT)
             return tl_fail(err, TL_ERR_UNSUPPORTED, "%s: draws more than %d primitives",
                            gltf->path, TL_MAX_DRAW_COUNT);
     }
-    model->vertices = calloc(parts + 1, sizeof *model->vertices);
-    model->parts = calloc(parts + 1, sizeof *model->parts);
+    at->versions = calloc(gltf->mesh_count + 1, sizeof *at->versions);
+    model->vertices = calloc(draws + 1, sizeof *model->vertices);
+    model->parts = calloc(draws + 1, sizeof *model->parts);
     model->draws = calloc(draws + 1, sizeof *model->draws);
-    if (!at->first_parts || !model->vertices || !model->parts || !model->draws)
+    if (!at->versions || !model->vertices || !model->parts || !model->draws)
         return tl_fail(err, TL_ERR_MEMORY, "%s: out of memory for its meshes", gltf->path);
     return TL_OK;
 }
 
-static void tell(const loader *at, const tl_placements *placements, const tl_notices *notices)
+static bool are_equal(const double *a, const double *b, size_t count)
+{
+    for (size_t i = 0; i < count && a != b; i++)
+        if ((a ? a[i] : 0.0) != (b ? b[i] : 0.0))
+            return false;
+    return true;
+}
+
+/* Where the parts are that this node shows: those of the version before, where it is the same. */
+static tl_status find_parts(
+    loader *at, const tl_pose *pose, const tl_placed *placed, size_t *first, tl_error *err)
 {
     const tl_gltf *const gltf = at->model->gltf;
-    size_t skinned = 0;
-    for (size_t i = 0; i < placements->count; i++)
-        skinned += gltf->nodes[placements->meshes[i].node].skin != -1;
-    if (at->skipped_count)
-        tl_notice(notices,
-                  "%s: %zu primitives are points or lines or have no positions, and "
-                  "are left out",
-                  gltf->path, at->skipped_count);
-    if (skinned)
-        tl_notice(notices, "%s: %zu skinned meshes are shown without their skins", gltf->path,
-                  skinned);
-    if (at->morphing_count)
-        tl_notice(notices, "%s: %zu primitives are shown without their morph targets",
-                  gltf->path, at->morphing_count);
+    const size_t mesh = (size_t)placed->what;
+    const tl_gltf_mesh *const from = &gltf->meshes[mesh];
+    version *const last = &at->versions[mesh];
+    version wanted = {.is_read = true,
+                      .first = at->model->part_count,
+                      .skin_node =
+                          gltf->nodes[placed->node].skin == -1 ? NO_NODE : placed->node};
+    tl_status status = TL_OK;
+
+    TRY(tl_pose_weights(gltf, pose, placed->node, &wanted.weights, err));
+    const size_t target_count = from->primitive_count ? from->primitives[0].target_count : 0;
+    if (!last->is_read || last->skin_node != wanted.skin_node ||
+        !are_equal(last->weights, wanted.weights, target_count)) {
+        *last = wanted;
+        for (size_t i = 0; i < from->primitive_count; i++)
+            TRY(load_part(at, mesh, i, wanted.weights, err));
+    }
+    *first = last->first;
+done:
+    return status;
 }
 
 tl_status tl_load_geometry(tl_model *model,
+                           const tl_pose *pose,
                            const tl_placements *placements,
                            const tl_notices *notices,
                            tl_error *err)
@@ -271,19 +270,19 @@ tl_status tl_load_geometry(tl_model *model,
     TRY(make_room(&at, placements, err));
     for (size_t i = 0; i < placements->count; i++) {
         const tl_placed *const placed = &placements->meshes[i];
-        const size_t mesh = (size_t)placed->what;
-        const size_t first = at.first_parts[mesh];
-        const size_t count = model->gltf->meshes[mesh].primitive_count;
-        if (first == model->part_count) /* parts come in the order of first use */
-            for (size_t k = 0; k < count; k++)
-                TRY(load_part(&at, mesh, k, err));
-        for (size_t k = 0; k < count; k++)
-            if (model->parts[first + k].index_count > 0)
-                model->draws[model->draw_count++] =
-                    (tl_draw){first + k, placed->node, placed->world};
+        const size_t count = model->gltf->meshes[placed->what].primitive_count;
+        size_t first = 0;
+        TRY(find_parts(&at, pose, placed, &first, err));
+        for (size_t k = first; k < first + count; k++)
+            if (model->parts[k].index_count > 0)
+                model->draws[model->draw_count++] = (tl_draw){k, placed->node, placed->world};
     }
-    tell(&at, placements, notices);
+    if (at.skipped_count)
+        tl_notice(notices,
+                  "%s: %zu primitives are points or lines or have no positions, and "
+                  "are left out",
+                  model->gltf->path, at.skipped_count);
 done:
-    free(at.first_parts);
+    free(at.versions);
     return status;
 }

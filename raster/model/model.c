@@ -7,26 +7,32 @@
 #include <stdlib.h>
 
 tl_status tl_model_load(const char *path,
+                        const tl_moment *moment,
                         const tl_notices *notices,
                         tl_model **out,
                         tl_error *err)
 {
     tl_status status = TL_OK;
+    tl_pose pose = {0};
     tl_placements placements = {0};
     tl_model *made = calloc(1, sizeof *made);
 
     if (!made)
         return tl_fail(err, TL_ERR_MEMORY, "%s: out of memory", path);
     TRY(tl_gltf_open(path, notices, &made->gltf, err));
-    TRY(tl_load_nodes(made, notices, &placements, err));
-    TRY(tl_load_geometry(made, &placements, notices, err));
+    TRY(tl_animation_pose(made->gltf, moment, notices, &pose, err));
+    TRY(tl_load_nodes(made, &pose, notices, &placements, err));
+    TRY(tl_load_instances(made, &placements, err));
+    TRY(tl_load_geometry(made, &pose, &placements, notices, err));
     TRY(tl_load_materials(made, notices, err));
     TRY(tl_load_tangents(made, err));
+    TRY(tl_load_skins(made, &placements, err));
 
     *out = made;
     made = NULL;
 done:
-    free(placements.meshes);
+    tl_pose_clear(&pose);
+    tl_placements_clear(&placements);
     tl_model_destroy(made);
     return status;
 }
@@ -36,8 +42,7 @@ void tl_model_destroy(tl_model *model)
     if (!model)
         return;
     for (size_t i = 0; i < model->vertices_count; i++)
-        for (int k = 0; k < TL_GLTF_ATTRIBUTE_COUNT; k++)
-            free(model->vertices[i].attributes[k]);
+        tl_vertices_clear(&model->vertices[i]);
     for (size_t i = 0; i < model->part_count; i++)
         free(model->parts[i].indices);
     free(model->vertices);

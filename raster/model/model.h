@@ -2,6 +2,7 @@
 #ifndef TL_MODEL_H
 #define TL_MODEL_H
 
+#include "animation.h"
 #include "gltf.h"
 #include "matrix.h"
 
@@ -10,16 +11,20 @@
 /* Vertices that parts share. */
 typedef struct tl_vertices {
     size_t count;
-    /* [count][tl_attribute_width], owned; NULL: absent. Position and normal are always there. */
+    /* [count][tl_accessor_width], owned; NULL: absent. Position and normal are always there. */
     float *attributes[TL_GLTF_ATTRIBUTE_COUNT];
+    uint32_t
+        *sources; /* [count], owned: which of the primitive's in the file; NULL: the same */
 } tl_vertices;
 
-/* One primitive of a mesh: a triangle list. */
+/* One primitive of a mesh, morphed: a triangle list. */
 typedef struct tl_part {
-    size_t vertices;    /* index into the model's vertices */
-    size_t index_count; /* a multiple of 3; 0: nothing to draw */
-    uint32_t *indices;  /* [index_count], owned */
-    size_t material;    /* index into the model's materials */
+    size_t mesh, primitive; /* of the file */
+    size_t vertices;        /* index into the model's vertices */
+    size_t index_count;     /* a multiple of 3; 0: nothing to draw */
+    uint32_t *indices;      /* [index_count], owned */
+    size_t material;        /* index into the model's materials */
+    bool flat;              /* normals are those of triangles, which share no vertices */
 } tl_part;
 
 /* One part at one place. */
@@ -83,9 +88,10 @@ typedef struct tl_model {
     tl_pixels *pixels;           /* what those look at */
 } tl_model;
 
-/* Loads a scene, its images undecoded. The caller releases *out with tl_model_destroy. Fails as
- * tl_capture does, without TL_ERR_DEVICE. */
+/* Loads a scene as it is at that moment, its images undecoded. The caller releases *out with
+ * tl_model_destroy. Fails as tl_capture does, without TL_ERR_DEVICE. */
 tl_status tl_model_load(const char *path,
+                        const tl_moment *moment,
                         const tl_notices *notices,
                         tl_model **out,
                         tl_error *err);

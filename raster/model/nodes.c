@@ -56,88 +56,14 @@ static tl_status refuse_cycles(const tl_gltf *gltf,
     return TL_OK;
 }
 
-/* --- transforms -------------------------------------------------------------------------------- */
-
-static tl_affine rotation_of(const double q[4])
-{
-    const double x = q[0], y = q[1], z = q[2], w = q[3];
-    const tl_affine r = {{
-        {1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w), 0},
-        {2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w), 0},
-        {2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y), 0},
-    }};
-    return r;
-}
-
-static tl_affine local_of_matrix(const double *columns)
-{
-    tl_affine local;
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 4; j++)
-            local.m[i][j] = columns[4 * j + i];
-    return local;
-}
-
-/* Counts are right: what is there is whole. */
-static tl_affine local_of_parts(const tl_gltf_node *node, const double unit_rotation[4])
-{
-    tl_affine local = rotation_of(unit_rotation);
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3 && node->scale_count; j++)
-            local.m[i][j] *= node->scale[j];
-        local.m[i][3] = node->translation_count ? node->translation[i] : 0.0;
-    }
-    return local;
-}
-
-static tl_status local_transform(const tl_gltf *gltf,
-                                 size_t index,
-                                 tl_affine *out,
-                                 tl_error *err)
-{
-    const tl_gltf_node *const node = &gltf->nodes[index];
-    const tl_label label = tl_label_of("node", index, node->name);
-    double rotation[4] = {0, 0, 0, 1};
-
-    if ((node->matrix_count && node->matrix_count != 16) ||
-        (node->translation_count && node->translation_count != 3) ||
-        (node->rotation_count && node->rotation_count != 4) ||
-        (node->scale_count && node->scale_count != 3))
-        return tl_fail(err, TL_ERR_FORMAT,
-                       "%s: %s has a transform with the wrong number of values", gltf->path,
-                       label.text);
-    if (node->matrix_count) {
-        const double *const m = node->matrix;
-        if (m[3] != 0.0 || m[7] != 0.0 || m[11] != 0.0 || m[15] != 1.0)
-            return tl_fail(err, TL_ERR_FORMAT,
-                           "%s: %s has a matrix whose last row is not 0 0 0 1", gltf->path,
-                           label.text);
-        *out = local_of_matrix(m);
-        return TL_OK;
-    }
-    if (node->rotation_count) {
-        double length = 0.0;
-        for (int i = 0; i < 4; i++)
-            length = hypot(length, node->rotation[i]);
-        if (!(length > 0.0) || !isfinite(length))
-            return tl_fail(err, TL_ERR_FORMAT, "%s: %s has a rotation of length %g", gltf->path,
-                           label.text, length);
-        for (int i = 0; i < 4; i++)
-            rotation[i] = node->rotation[i] / length;
-    }
-    *out = local_of_parts(node, rotation);
-    return TL_OK;
-}
-
 /* --- the walk ---------------------------------------------------------------------------------- */
 
 typedef struct walk {
     tl_model *model;
+    const tl_pose *pose;
     const int *parents;
-    bool *seen;        /* [node_count] */
-    int *stack;        /* [node_count] */
-    tl_affine *worlds; /* [node_count] */
-    tl_placements meshes;
+    int *stack; /* [node_count] */
+    tl_placements out;
 } walk;
 
 /* Room for as many as there are nodes was made beforehand. */
@@ -156,7 +82,7 @@ static tl_status place(walk *at,
         return TL_OK;
     const tl_status status = tl_gltf_check_index(gltf, label.text, kind, what, what_count, err);
     if (status == TL_OK)
-        list[(*count)++] = (tl_placed){what, node, at->worlds[node]};
+        list[(*count)++] = (tl_placed){what, node, at->out.worlds[node]};
     return status;
 }
 
@@ -168,21 +94,21 @@ static tl_status visit(walk *at, size_t index, tl_error *err)
     tl_status status = TL_OK;
     tl_affine local;
 
-    if (at->seen[index])
+    if (at->out.in_scene[index])
         return tl_fail(err, TL_ERR_FORMAT, "%s: its scene names node %zu twice", gltf->path,
                        index);
-    at->seen[index] = true;
-    TRY(local_transform(gltf, index, &local, err));
+    at->out.in_scene[index] = true;
+    TRY(tl_pose_local(gltf, at->pose, index, &local, err));
     const int parent = at->parents[index];
-    at->worlds[index] =
-        parent == NO_PARENT ? local : tl_affine_product(&at->worlds[parent], &local);
-    if (!tl_affine_is_finite(&at->worlds[index])) {
+    at->out.worlds[index] =
+        parent == NO_PARENT ? local : tl_affine_product(&at->out.worlds[parent], &local);
+    if (!tl_affine_is_finite(&at->out.worlds[index])) {
         status = tl_fail(err, TL_ERR_FORMAT, "%s: %s has a transform that is not finite",
                          gltf->path, tl_label_of("node", index, node->name).text);
         goto done;
     }
-    TRY(place(at, index, "mesh", node->mesh, gltf->mesh_count, at->meshes.meshes,
-              &at->meshes.count, err));
+    TRY(place(at, index, "mesh", node->mesh, gltf->mesh_count, at->out.meshes, &at->out.count,
+              err));
     TRY(place(at, index, "camera", node->camera, gltf->camera_count, model->cameras,
               &model->camera_count, err));
     TRY(place(at, index, "light", node->light, gltf->light_count, model->lights,
@@ -240,7 +166,16 @@ done:
     return status;
 }
 
+void tl_placements_clear(tl_placements *placements)
+{
+    free(placements->in_scene);
+    free(placements->worlds);
+    free(placements->meshes);
+    *placements = (tl_placements){0};
+}
+
 tl_status tl_load_nodes(tl_model *model,
+                        const tl_pose *pose,
                         const tl_notices *notices,
                         tl_placements *out,
                         tl_error *err)
@@ -250,15 +185,16 @@ tl_status tl_load_nodes(tl_model *model,
     int *const parents = malloc(count * sizeof *parents);
     walk at = {
         .model = model,
+        .pose = pose,
         .parents = parents,
-        .seen = calloc(count, sizeof *at.seen),
         .stack = malloc(count * sizeof *at.stack),
-        .worlds = malloc(count * sizeof *at.worlds),
-        .meshes.meshes = malloc(count * sizeof *at.meshes.meshes),
+        .out = {.in_scene = calloc(count, sizeof *at.out.in_scene),
+                .worlds = malloc(count * sizeof *at.out.worlds),
+                .meshes = malloc(count * sizeof *at.out.meshes)},
     };
     model->cameras = malloc(count * sizeof *model->cameras);
     model->lights = malloc(count * sizeof *model->lights);
-    if (!parents || !at.seen || !at.stack || !at.worlds || !at.meshes.meshes ||
+    if (!parents || !at.stack || !at.out.in_scene || !at.out.worlds || !at.out.meshes ||
         !model->cameras || !model->lights) {
         status =
             tl_fail(err, TL_ERR_MEMORY, "%s: out of memory for its nodes", model->gltf->path);
@@ -267,13 +203,11 @@ tl_status tl_load_nodes(tl_model *model,
     TRY(find_parents(model->gltf, parents, err));
     TRY(refuse_cycles(model->gltf, parents, at.stack, err));
     TRY(visit_scene(&at, notices, err));
-    *out = at.meshes;
-    at.meshes.meshes = NULL;
+    *out = at.out;
+    at.out = (tl_placements){0};
 done:
     free(parents);
-    free(at.seen);
     free(at.stack);
-    free(at.worlds);
-    free(at.meshes.meshes);
+    tl_placements_clear(&at.out);
     return status;
 }

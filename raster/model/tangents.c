@@ -106,7 +106,7 @@ static tl_status copy_vertices(const corners *c, size_t count, tl_vertices *out,
 {
     out->count = count;
     for (int i = 0; i < TL_GLTF_ATTRIBUTE_COUNT; i++) {
-        const size_t width = (size_t)tl_attribute_width((enum tl_gltf_attribute)i);
+        const size_t width = (size_t)tl_accessor_width(i);
         const float *from = i == TL_GLTF_TANGENT ? &c->tangent[0][0] : c->from->attributes[i];
         if (!from)
             continue;
@@ -118,6 +118,11 @@ static tl_status copy_vertices(const corners *c, size_t count, tl_vertices *out,
                    from + width * (i == TL_GLTF_TANGENT ? k : c->sources[k]),
                    width * sizeof(float));
     }
+    out->sources = malloc(count * sizeof *out->sources);
+    if (!out->sources)
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for tangents");
+    for (size_t k = 0; k < count; k++)
+        out->sources[k] = c->from->sources ? c->from->sources[c->sources[k]] : c->sources[k];
     return TL_OK;
 }
 
@@ -187,8 +192,7 @@ tl_status tl_load_tangents(tl_model *model, tl_error *err)
     TRY(append(model, &j, err));
 done:
     for (size_t i = 0; j.made && i < model->part_count; i++)
-        for (int k = 0; k < TL_GLTF_ATTRIBUTE_COUNT; k++)
-            free(j.made[i].attributes[k]);
+        tl_vertices_clear(&j.made[i]);
     free(j.made);
     free(j.errors);
     return status;

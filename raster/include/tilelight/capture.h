@@ -6,6 +6,8 @@
 #include "tilelight/gbuffer.h"
 #include "tilelight/lights.h"
 
+#include <stdbool.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -18,6 +20,11 @@ typedef struct tl_capture_options {
     enum tl_layout_name layout; /* how pixels are packed; 0 is full float */
     uint32_t
         anisotropy; /* of textures that have mipmaps, 1 (off) to 16; 0: TL_DEFAULT_ANISOTROPY */
+    /* When: an animation of the file, by name or index, at a time in s; without both the scene is as the
+     * file has it. NULL: the first. Beyond its end it is at its end, which is told. */
+    const char *animation;
+    double time;
+    bool has_time; /* false: time is 0 where an animation is named */
 } tl_capture_options;
 
 /* Loads `path` (.gltf, .glb), renders its default scene into a G-buffer, and collects its lights.
@@ -27,7 +34,7 @@ typedef struct tl_capture_options {
  * place for is named in a notice.
  * Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED (an extension the file requires; a layout whose
  * convention of depth this camera has not),
- * TL_ERR_ARGUMENT (size, camera, anisotropy), TL_ERR_MEMORY or TL_ERR_DEVICE (OpenGL), naming the file and
+ * TL_ERR_ARGUMENT (size, camera, anisotropy, time, animation), TL_ERR_MEMORY or TL_ERR_DEVICE (OpenGL), naming the file and
  * the node, mesh, accessor, image or extension concerned. */
 tl_status tl_capture(const char *path,
                      const tl_capture_options *options,
