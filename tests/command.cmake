@@ -1,6 +1,7 @@
 # Tests of this kind, by name.
 pkg_check_modules(JANSSON REQUIRED IMPORTED_TARGET jansson)
 
+tl_test(test_capture_unlit raster tl_raster tl_lighting)
 tl_test(test_command_usage command tl_base)
 tl_test(test_command_frames command tl_files PkgConfig::JANSSON)
 tl_test(test_command_convert command tl_lighting tl_files PkgConfig::JANSSON)

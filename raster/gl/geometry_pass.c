@@ -125,6 +125,8 @@ static unsigned features_of(const tl_model *model, const tl_part *part)
         features &= ~(1u << TL_HAS_NORMAL_MAP);
     if (material->alpha_cutoff > 0.0f)
         features |= 1u << TL_ALPHA_TEST;
+    if (material->unlit)
+        features |= 1u << TL_UNLIT;
     return features;
 }
 

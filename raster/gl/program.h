@@ -12,7 +12,8 @@
     X(TL_HAS_NORMAL_MAP, "HAS_NORMAL_MAP")                 \
     X(TL_HAS_OCCLUSION, "HAS_OCCLUSION")                   \
     X(TL_HAS_EMISSIVE, "HAS_EMISSIVE")                     \
-    X(TL_ALPHA_TEST, "ALPHA_TEST")
+    X(TL_ALPHA_TEST, "ALPHA_TEST")                         \
+    X(TL_UNLIT, "UNLIT")
 
 /* Bit numbers; the first ones are those of the texture slots. */
 enum tl_feature {

@@ -11,6 +11,7 @@ static const struct {
     {"EXT_mesh_gpu_instancing", "a mesh at many places"},
     {"KHR_lights_punctual", "point, directional and spot lights"},
     {"KHR_materials_emissive_strength", "a factor on the emitted light"},
+    {"KHR_materials_unlit", "surfaces that show their base colour without lighting"},
     {"KHR_mesh_quantization", "integer positions, normals, tangents and texture coordinates"},
     {"KHR_texture_transform", "offset, rotation and scale of texture coordinates"},
 };

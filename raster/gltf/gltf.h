@@ -148,7 +148,7 @@ typedef struct tl_gltf_material {
     const char *name, *alpha_mode;
     double base_color[4], emissive[3], emissive_strength;
     double metallic, roughness, normal_scale, occlusion_strength, alpha_cutoff;
-    bool double_sided;
+    bool double_sided, unlit;
     tl_gltf_texture_use textures[TL_GLTF_SLOT_COUNT];
 } tl_gltf_material;
 

@@ -178,6 +178,7 @@ tl_gltf_material mirror(const tinygltf::Material &from)
     to.normal_scale = from.normalTexture.scale;
     to.occlusion_strength = from.occlusionTexture.strength;
     to.alpha_cutoff = from.alphaCutoff;
+    to.unlit = find(from.extensions, "KHR_materials_unlit") != nullptr;
     to.double_sided = from.doubleSided;
     to.textures[TL_GLTF_BASE_COLOR] = mirror_use(rough.baseColorTexture);
     to.textures[TL_GLTF_METALLIC_ROUGHNESS] = mirror_use(rough.metallicRoughnessTexture);

@@ -189,9 +189,14 @@ static tl_status load_material(
     out->normal_scale = (float)from->normal_scale;
     out->occlusion_strength = cut(from->occlusion_strength, 0.0, 1.0);
     out->double_sided = from->double_sided;
+    out->unlit = from->unlit;
+    out->emits |= from->unlit;
     TRY(find_cutoff(model->gltf, label.text, from, &out->alpha_cutoff, err));
+    /* KHR_materials_unlit: all but the base colour is there for those that do not know it. */
     for (int i = 0; i < TL_GLTF_SLOT_COUNT; i++)
-        TRY(load_slot(model, label.text, i, &from->textures[i], notices, &out->slots[i], err));
+        if (!from->unlit || i == TL_GLTF_BASE_COLOR)
+            TRY(load_slot(model, label.text, i, &from->textures[i], notices, &out->slots[i],
+                          err));
     if (!out->emits) /* an emissive texture with a factor of 0, which is the default */
         out->slots[TL_GLTF_EMISSIVE].texture = -1;
 done:
