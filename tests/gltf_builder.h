@@ -13,7 +13,7 @@ typedef struct builder {
     uint8_t bytes[BUILDER_BYTES];
     size_t size;
     char views[BUILDER_TEXT], accessors[BUILDER_TEXT];
-    int count;
+    int count, stride; /* bytes from element to element of what is added; 0: no gaps */
 } builder;
 
 static inline void append_text(char *to, const char *format, ...)
@@ -38,8 +38,9 @@ static inline int add_accessor(builder *to,
 {
     assert_in_range(size, 1, BUILDER_BYTES - to->size - 4);
     memcpy(to->bytes + to->size, data, size);
-    append_text(to->views, "%s{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu}",
+    append_text(to->views, "%s{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu",
                 to->count ? ",\n" : "", to->size, size);
+    append_text(to->views, to->stride ? ",\"byteStride\":%d}" : "}", to->stride);
     append_text(to->accessors,
                 "%s{\"bufferView\":%d,\"componentType\":%d,\"count\":%zu,\"type\":\"%s\"%s}",
                 to->count ? ",\n" : "", to->count, component_type, count, type, more);
