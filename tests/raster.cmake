@@ -16,3 +16,4 @@ target_include_directories(test_curves PRIVATE ${PROJECT_SOURCE_DIR}/raster/mode
 tl_test(test_capture_animation raster tl_raster)
 tl_test(test_capture_morph raster tl_raster)
 tl_test(test_capture_skin raster tl_raster)
+tl_test(test_capture_instances raster tl_raster)
