@@ -11,6 +11,7 @@
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #include <tiny_gltf.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <exception>
 #include <map>
@@ -127,11 +128,12 @@ double number(const Value *object, const char *name, double otherwise)
     return value.IsNumber() ? value.GetNumberAsDouble() : otherwise;
 }
 
-// An index, or -2, which no index check lets through, where a double is none.
+// An index, or -2, which no index check lets through, where a number is none.
 int index_number(const Value *object, const char *name, int otherwise)
 {
     const double value = number(object, name, otherwise);
-    return value >= -1.0 && value <= 1e9 ? static_cast<int>(value) : -2;
+    const bool whole = value >= -1.0 && value <= 1e9 && value == std::floor(value);
+    return whole ? static_cast<int>(value) : -2;
 }
 
 double number_of_pair(const Value *object, const char *name, int i, double otherwise)

@@ -12,11 +12,12 @@
 
 /* --- which ------------------------------------------------------------------------------------- */
 
-/* By name first: an animation may be called "2". False: there is none. */
+/* By name first: an animation may be called "2"; one without a name is not called "". False: there is
+ * none. */
 static bool find_animation(const tl_gltf *gltf, const char *wanted, size_t *out)
 {
     char *end;
-    for (size_t i = 0; i < gltf->animation_count && wanted; i++)
+    for (size_t i = 0; i < gltf->animation_count && wanted && wanted[0]; i++)
         if (strcmp(gltf->animations[i].name, wanted) == 0) {
             *out = i;
             return true;
