@@ -184,6 +184,7 @@ static const struct {
      ",\"extensions\":{\"KHR_texture_transform\":{\"rotation\":1.5707963267948966,"
      "\"offset\":[0,1]}}",
      {2, 0, 3, 1}},
+    {"last set", ",\"texCoord\":7", {1, 0, 3, 2}},
     {"set of the transform",
      ",\"extensions\":{\"KHR_texture_transform\":{\"texCoord\":1}}",
      {1, 0, 3, 2}},
@@ -200,11 +201,12 @@ static void lookups_find_their_texels(void **state)
     char *const json = texture_json(texels, 2, 2);
     for (size_t i = 0; i < COUNT_OF(lookups); i++) {
         square_data data = square;
-        char use[256];
+        char use[512];
         shot taken;
         char *text = flat_scene(&data, json);
         /* TEXCOORD_1 is the square's positions: u and v from -1 to 1, mirrored by the wrap. */
-        text = edited(text, "\"TEXCOORD_0\":2", "\"TEXCOORD_0\":2,\"TEXCOORD_1\":4");
+        text = edited(text, "\"TEXCOORD_0\":2",
+                      "\"TEXCOORD_0\":2,\"TEXCOORD_1\":4,\"TEXCOORD_7\":4");
         text = edited(text, "\"type\":\"SCALAR\"}",
                       "\"type\":\"SCALAR\"},\n {\"bufferView\":4,\"componentType\":5126,"
                       "\"count\":4,\"type\":\"VEC2\"}");
@@ -219,9 +221,12 @@ static void lookups_find_their_texels(void **state)
                  second);
         text = edited(text, "\"byteLength\":140}]", buffer);
         text = edited(text, "\"wrapS\":33071", "\"wrapS\":10497");
+        /* Masked, so that the depth pass looks up too. */
+        text = edited(text, "\"name\":\"paint\"", "\"alphaMode\":\"MASK\",\"name\":\"paint\"");
         snprintf(use, sizeof use,
-                 "\"roughnessFactor\":1,\"metallicRoughnessTexture\":{\"index\":0%s}",
-                 lookups[i].texture);
+                 "\"roughnessFactor\":1,\"metallicRoughnessTexture\":{\"index\":0%s},"
+                 "\"baseColorTexture\":{\"index\":0%s}",
+                 lookups[i].texture, lookups[i].texture);
         text = edited(text, "\"roughnessFactor\":0.625", use);
         capture_ok(text, &taken);
         for (uint32_t k = 0; k < 4; k++)

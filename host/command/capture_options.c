@@ -8,7 +8,8 @@ enum {
     OPTION_LAYOUT,
     OPTION_ANISOTROPY,
     OPTION_TIME,
-    OPTION_ANIMATION
+    OPTION_ANIMATION,
+    OPTION_VARIANT
 };
 
 static const uint32_t anisotropies[] = {1, 2, 4, 8, TL_MAX_ANISOTROPY};
@@ -26,6 +27,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         options->has_time = true;
         return 0;
     case OPTION_ANIMATION: options->animation = text; return 0;
+    case OPTION_VARIANT: options->variant = text; return 0;
     case OPTION_LAYOUT: options->layout = value_layout(state, "--layout", text); return 0;
     case OPTION_ANISOTROPY:
         options->anisotropy = value_among(state, "--anisotropy", text, anisotropies,
@@ -40,6 +42,8 @@ static const struct argp_option options_table[] = {
     {"camera", OPTION_CAMERA, "NAME|INDEX", 0,
      "A camera of the file (default: the first of its scene, else a view of the whole scene)",
      0},
+    {"variant", OPTION_VARIANT, "NAME|INDEX", 0,
+     "A variant of the file's materials (default: none of them)", 0},
     {"time", OPTION_TIME, "SECONDS", 0,
      "The moment of an animation, at its end if it has ended before (default: the scene as "
      "the file has it, or 0 with --animation)",

@@ -97,7 +97,7 @@ tl_status tl_capture(const char *path,
     const double clock = tl_seconds();
 
     TRY(check_options(options, err));
-    TRY(tl_model_load(path, &moment, notices, &model, err));
+    TRY(tl_model_load(path, &moment, options->variant, notices, &model, err));
     TRY(tl_model_lights(model, &found, err));
     TRY(tl_model_camera(model, options->camera, width, height, notices, &camera, err));
     tl_timings_end(timings, "load", clock);

@@ -118,8 +118,12 @@ static unsigned features_of(const tl_model *model, const tl_part *part)
 {
     const tl_material *const material = &model->materials[part->material];
     unsigned features = 0;
-    for (unsigned i = 0; i < TL_GLTF_SLOT_COUNT; i++)
-        features |= (unsigned)(material->slots[i].texture != -1) << i;
+    for (unsigned i = 0; i < TL_GLTF_SLOT_COUNT; i++) {
+        const tl_texture_slot *const slot = &material->slots[i];
+        features |= (unsigned)(slot->texture != -1) << i;
+        if (slot->texture != -1 && slot->coordinates >= FEW_SETS)
+            features |= 1u << TL_MANY_SETS;
+    }
     /* Without coordinates for its map a part has no tangents either, and the map nothing to say. */
     if (!model->vertices[part->vertices].attributes[TL_GLTF_TANGENT])
         features &= ~(1u << TL_HAS_NORMAL_MAP);

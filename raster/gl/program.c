@@ -14,7 +14,7 @@ static const char *const macros[TL_FEATURE_COUNT] = {
 
 /* What a pass looks at. */
 static const unsigned features_of_pass[TL_PASS_COUNT] = {
-    [TL_DEPTH_PASS] = 1u << TL_HAS_BASE_COLOR | 1u << TL_ALPHA_TEST,
+    [TL_DEPTH_PASS] = 1u << TL_HAS_BASE_COLOR | 1u << TL_ALPHA_TEST | 1u << TL_MANY_SETS,
     [TL_SURFACE_PASS] = (1u << TL_FEATURE_COUNT) - 1u,
 };
 

@@ -13,7 +13,8 @@
     X(TL_HAS_OCCLUSION, "HAS_OCCLUSION")                   \
     X(TL_HAS_EMISSIVE, "HAS_EMISSIVE")                     \
     X(TL_ALPHA_TEST, "ALPHA_TEST")                         \
-    X(TL_UNLIT, "UNLIT")
+    X(TL_UNLIT, "UNLIT")                                   \
+    X(TL_MANY_SETS, "MANY_SETS")
 
 /* Bit numbers; the first ones are those of the texture slots. */
 enum tl_feature {

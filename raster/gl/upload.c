@@ -12,7 +12,7 @@ _Static_assert((int)ATTRIBUTE_POSITION == (int)TL_GLTF_POSITION &&
                    (int)ATTRIBUTE_NORMAL == (int)TL_GLTF_NORMAL &&
                    (int)ATTRIBUTE_TANGENT == (int)TL_GLTF_TANGENT &&
                    (int)ATTRIBUTE_TEXCOORD_0 == (int)TL_GLTF_TEXCOORD_0 &&
-                   (int)ATTRIBUTE_TEXCOORD_1 == (int)TL_GLTF_TEXCOORD_1 &&
+                   (int)MOST_SETS == (int)TL_GLTF_TEXCOORD_COUNT &&
                    (int)ATTRIBUTE_COLOR == (int)TL_GLTF_COLOR,
                "shaders/interface.h lists attributes in the order of TL_GLTF_ATTRIBUTES");
 

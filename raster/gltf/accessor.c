@@ -65,26 +65,26 @@ enum { SIGNED = INT8 | INT16, UNSIGNED = UINT8 | UINT16, SMALL = SIGNED | UNSIGN
  * that are not normalised and the signed ones; and EXT_mesh_gpu_instancing. */
 static const struct {
     unsigned plain, normalized;
-} stored_as[TL_USE_COUNT] = {
-    [TL_GLTF_POSITION] = {FLOAT32 | SMALL, SMALL},
-    [TL_GLTF_NORMAL] = {FLOAT32, SIGNED},
-    [TL_GLTF_TANGENT] = {FLOAT32, SIGNED},
-    [TL_GLTF_TEXCOORD_0] = {FLOAT32 | SMALL, SMALL},
-    [TL_GLTF_TEXCOORD_1] = {FLOAT32 | SMALL, SMALL},
-    [TL_GLTF_COLOR] = {FLOAT32, UNSIGNED},
-    [TL_USE_MORPH_POSITION] = {FLOAT32 | SIGNED, SIGNED},
-    [TL_USE_MORPH_NORMAL] = {FLOAT32, SIGNED},
-    [TL_USE_MORPH_TANGENT] = {FLOAT32, SIGNED},
-    [TL_USE_JOINTS] = {UNSIGNED, 0},
-    [TL_USE_WEIGHTS] = {FLOAT32, UNSIGNED},
-    [TL_USE_INVERSE_BIND] = {FLOAT32, 0},
-    [TL_USE_KEY_TIMES] = {FLOAT32, 0},
-    [TL_USE_KEY_VECTORS] = {FLOAT32, 0},
-    [TL_USE_KEY_ROTATIONS] = {FLOAT32, SMALL},
-    [TL_USE_KEY_WEIGHTS] = {FLOAT32, SMALL},
-    [TL_USE_INSTANCE_TRANSLATION] = {FLOAT32, 0},
-    [TL_USE_INSTANCE_ROTATION] = {FLOAT32, SIGNED},
-    [TL_USE_INSTANCE_SCALE] = {FLOAT32, 0},
+} stored_as[TL_USE_COUNT] = {[TL_GLTF_POSITION] = {FLOAT32 | SMALL, SMALL},
+                             [TL_GLTF_NORMAL] = {FLOAT32, SIGNED},
+                             [TL_GLTF_TANGENT] = {FLOAT32, SIGNED},
+                             [TL_GLTF_COLOR] = {FLOAT32, UNSIGNED},
+                             [TL_USE_MORPH_POSITION] = {FLOAT32 | SIGNED, SIGNED},
+                             [TL_USE_MORPH_NORMAL] = {FLOAT32, SIGNED},
+                             [TL_USE_MORPH_TANGENT] = {FLOAT32, SIGNED},
+                             [TL_USE_JOINTS] = {UNSIGNED, 0},
+                             [TL_USE_WEIGHTS] = {FLOAT32, UNSIGNED},
+                             [TL_USE_INVERSE_BIND] = {FLOAT32, 0},
+                             [TL_USE_KEY_TIMES] = {FLOAT32, 0},
+                             [TL_USE_KEY_VECTORS] = {FLOAT32, 0},
+                             [TL_USE_KEY_ROTATIONS] = {FLOAT32, SMALL},
+                             [TL_USE_KEY_WEIGHTS] = {FLOAT32, SMALL},
+                             [TL_USE_INSTANCE_TRANSLATION] = {FLOAT32, 0},
+                             [TL_USE_INSTANCE_ROTATION] = {FLOAT32, SIGNED},
+                             [TL_USE_INSTANCE_SCALE] = {FLOAT32, 0},
+#define TEXCOORD(name, attribute, least, most) [name] = {FLOAT32 | SMALL, SMALL},
+                             TL_GLTF_TEXCOORDS(TEXCOORD)
+#undef TEXCOORD
 };
 
 int tl_accessor_width(int use)

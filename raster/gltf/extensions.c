@@ -12,19 +12,59 @@ static const struct {
     {"KHR_lights_punctual", "point, directional and spot lights"},
     {"KHR_materials_emissive_strength", "a factor on the emitted light"},
     {"KHR_materials_unlit", "surfaces that show their base colour without lighting"},
+    {"KHR_materials_variants", "materials by the name of a variant"},
     {"KHR_mesh_quantization", "integer positions, normals, tangents and texture coordinates"},
     {"KHR_texture_transform", "offset, rotation and scale of texture coordinates"},
 };
 
-/* What to do about an extension that is often required and not supported. */
+/* Those that are not, and what a picture lacks where a file has them without requiring them. NULL: nothing that
+ * a picture could show, so they may be required too. */
 static const struct {
-    const char *name, *advice;
-} advice[] = {
-    {"KHR_draco_mesh_compression", "; save the scene without Draco compression"},
-    {"EXT_meshopt_compression", "; save the scene without meshopt compression"},
-    {"KHR_texture_basisu", "; save its images as PNG or JPEG instead of KTX2"},
-    {"EXT_texture_webp", "; save its images as PNG or JPEG instead of WebP"},
+    const char *name, *lack;
+    const char *advice; /* where it is required; NULL: none */
+} others[] = {
+    {"EXT_lights_ies", "lights shine alike in all directions of their cone", NULL},
+    {"EXT_lights_image_based", "there is no light from its picture of the surroundings", NULL},
+    {"EXT_mesh_features", NULL, NULL},
+    {"EXT_mesh_manifold", NULL, NULL},
+    {"EXT_meshopt_compression", "geometry is read from its uncompressed stand-in",
+     "save the scene without meshopt compression"},
+    {"EXT_structural_metadata", NULL, NULL},
+    {"EXT_texture_avif", "images are the PNG or JPEG ones that stand in for AVIF",
+     "save its images as PNG or JPEG instead of AVIF"},
+    {"EXT_texture_webp", "images are the PNG or JPEG ones that stand in for WebP",
+     "save its images as PNG or JPEG instead of WebP"},
+    {"FB_ngon_encoding", NULL, NULL},
+    {"KHR_animation_pointer", "animations move nodes alone, not materials, lights or cameras",
+     NULL},
+    {"KHR_draco_mesh_compression", "geometry is read from its uncompressed stand-in",
+     "save the scene without Draco compression"},
+    {"KHR_materials_anisotropy", "highlights are round where they should be drawn out", NULL},
+    {"KHR_materials_clearcoat", "the highlight of the coat is not there", NULL},
+    {"KHR_materials_diffuse_transmission", "no light comes through from behind", NULL},
+    {"KHR_materials_dispersion", "glass does not part light into colours", NULL},
+    {"KHR_materials_ior", "what is no metal reflects as glass of index 1.5 does", NULL},
+    {"KHR_materials_iridescence", "highlights have no colours of thin films", NULL},
+    {"KHR_materials_pbrSpecularGlossiness",
+     "materials are the metal-rough ones that stand in for it, white unless the file says "
+     "otherwise",
+     "save the scene with metal-rough materials"},
+    {"KHR_materials_sheen", "cloth has no sheen", NULL},
+    {"KHR_materials_specular",
+     "highlights of what is no metal have the strength and colour of glass", NULL},
+    {"KHR_materials_transmission", "glass and the like are opaque, in their base colour", NULL},
+    {"KHR_materials_volume", "bodies neither bend nor absorb light that comes through", NULL},
+    {"KHR_node_hoverability", NULL, NULL},
+    {"KHR_node_selectability", NULL, NULL},
+    {"KHR_node_visibility", "nodes that it hides are shown", NULL},
+    {"KHR_texture_basisu", "images are the PNG or JPEG ones that stand in for KTX2",
+     "save its images as PNG or JPEG instead of KTX2"},
+    {"KHR_xmp_json_ld", NULL, NULL},
+    {"MSFT_lod", "what has several levels of detail is shown in the finest", NULL},
+    {"MSFT_texture_dds", "images are the PNG or JPEG ones that stand in for DDS",
+     "save its images as PNG or JPEG instead of DDS"},
 };
+enum { OTHER_COUNT = sizeof others / sizeof others[0] };
 
 static bool is_supported(const char *name)
 {
@@ -34,12 +74,44 @@ static bool is_supported(const char *name)
     return false;
 }
 
-static const char *advice_on(const char *name)
+/* Its row; OTHER_COUNT: nothing is known of it. */
+static size_t find_other(const char *name)
 {
-    for (size_t i = 0; i < sizeof advice / sizeof advice[0]; i++)
-        if (strcmp(advice[i].name, name) == 0)
-            return advice[i].advice;
-    return "";
+    size_t i = 0;
+    while (i < OTHER_COUNT && strcmp(others[i].name, name) != 0)
+        i++;
+    return i;
+}
+
+/* Whether a picture is the same with it and without. */
+static bool shows(const char *name)
+{
+    const size_t row = find_other(name);
+    return !is_supported(name) && (row == OTHER_COUNT || others[row].lack);
+}
+
+static tl_status refuse(const char *path, const char *name, tl_error *err)
+{
+    const size_t row = find_other(name);
+    const char *const advice = row == OTHER_COUNT ? NULL : others[row].advice;
+    return tl_fail(err, TL_ERR_UNSUPPORTED,
+                   "%s: requires the extension %.64s, which is not supported%s%s", path, name,
+                   advice ? "; " : "", advice ? advice : "");
+}
+
+static void tell(const char *path, const char *name, const tl_notices *notices)
+{
+    const size_t row = find_other(name);
+    tl_notice(notices, "%s: the extension %.64s is left out: %s", path, name,
+              row == OTHER_COUNT ? "nothing is known of it" : others[row].lack);
+}
+
+static bool is_among(const char *name, size_t count, const char *const *names)
+{
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(names[i], name) == 0)
+            return true;
+    return false;
 }
 
 tl_status tl_gltf_check_extensions(const char *path,
@@ -53,14 +125,11 @@ tl_status tl_gltf_check_extensions(const char *path,
     enum { TOLD_AT_MOST = 32 }; /* a hostile list is no reason to talk for ever */
     size_t told = 0;
     for (size_t i = 0; i < required_count; i++)
-        if (!is_supported(required[i]))
-            return tl_fail(err, TL_ERR_UNSUPPORTED,
-                           "%s: requires the extension %.64s, which is not supported%s", path,
-                           required[i], advice_on(required[i]));
+        if (shows(required[i]))
+            return refuse(path, required[i], err);
     for (size_t i = 0; i < used_count && told < TOLD_AT_MOST; i++)
-        if (!is_supported(used[i])) {
-            tl_notice(notices, "%s: the extension %.64s is not supported and left out", path,
-                      used[i]);
+        if (shows(used[i]) && !is_among(used[i], i, used)) {
+            tell(path, used[i], notices);
             told++;
         }
     return TL_OK;

@@ -8,8 +8,8 @@
 extern "C" {
 #endif
 
-/* Fails with TL_ERR_UNSUPPORTED at a required extension that is not in the table of
- * extensions.c; tells of each used one that is not. */
+/* Fails with TL_ERR_UNSUPPORTED at a required extension that is not supported, unless a picture is the same without
+ * it; tells once, of each used one, what the picture lacks for want of it (the tables of extensions.c). */
 tl_status tl_gltf_check_extensions(const char *path,
                                    size_t required_count,
                                    const char *const *required,

@@ -36,12 +36,21 @@ typedef struct tl_gltf_accessor {
 } tl_gltf_accessor;
 
 /* X(name, attribute in the file, components at least, at most) */
-#define TL_GLTF_ATTRIBUTES(X)                 \
-    X(TL_GLTF_POSITION, "POSITION", 3, 3)     \
-    X(TL_GLTF_NORMAL, "NORMAL", 3, 3)         \
-    X(TL_GLTF_TANGENT, "TANGENT", 4, 4)       \
+#define TL_GLTF_TEXCOORDS(X)                  \
     X(TL_GLTF_TEXCOORD_0, "TEXCOORD_0", 2, 2) \
     X(TL_GLTF_TEXCOORD_1, "TEXCOORD_1", 2, 2) \
+    X(TL_GLTF_TEXCOORD_2, "TEXCOORD_2", 2, 2) \
+    X(TL_GLTF_TEXCOORD_3, "TEXCOORD_3", 2, 2) \
+    X(TL_GLTF_TEXCOORD_4, "TEXCOORD_4", 2, 2) \
+    X(TL_GLTF_TEXCOORD_5, "TEXCOORD_5", 2, 2) \
+    X(TL_GLTF_TEXCOORD_6, "TEXCOORD_6", 2, 2) \
+    X(TL_GLTF_TEXCOORD_7, "TEXCOORD_7", 2, 2)
+
+#define TL_GLTF_ATTRIBUTES(X)             \
+    X(TL_GLTF_POSITION, "POSITION", 3, 3) \
+    X(TL_GLTF_NORMAL, "NORMAL", 3, 3)     \
+    X(TL_GLTF_TANGENT, "TANGENT", 4, 4)   \
+    TL_GLTF_TEXCOORDS(X)                  \
     X(TL_GLTF_COLOR, "COLOR_0", 3, 4)
 
 enum tl_gltf_attribute {
@@ -50,6 +59,9 @@ enum tl_gltf_attribute {
 #undef TL_GLTF_ATTRIBUTE_NAME
         TL_GLTF_ATTRIBUTE_COUNT
 };
+
+/* Sets of texture coordinates, TEXCOORD_0 and on. */
+enum { TL_GLTF_TEXCOORD_COUNT = TL_GLTF_COLOR - TL_GLTF_TEXCOORD_0 };
 
 /* What morph targets displace: the attributes before these. */
 enum { TL_GLTF_MORPHED_COUNT = TL_GLTF_TANGENT + 1 };
@@ -63,11 +75,19 @@ typedef struct tl_gltf_influences {
     int joints, weights; /* accessors */
 } tl_gltf_influences;
 
+/* KHR_materials_variants: the material that a primitive has in some of the variants. */
+typedef struct tl_gltf_mapping {
+    int material;
+    size_t variant_count;
+    const int *variants; /* indices into the file's */
+} tl_gltf_mapping;
+
 typedef struct tl_gltf_primitive {
     int mode; /* 0 to 6 in a valid file */
     int indices, material;
     int attributes[TL_GLTF_ATTRIBUTE_COUNT]; /* accessors */
-    size_t target_count, influences_count;
+    size_t target_count, influences_count, mapping_count;
+    const tl_gltf_mapping *mappings;
     const tl_gltf_target *targets;
     const tl_gltf_influences *influences;
 } tl_gltf_primitive;
@@ -184,7 +204,7 @@ typedef struct tl_gltf {
     int default_scene;
     size_t buffer_count, view_count, accessor_count, mesh_count, node_count, scene_count;
     size_t material_count, texture_count, sampler_count, image_count, camera_count, light_count;
-    size_t skin_count, animation_count, used_count, required_count;
+    size_t skin_count, animation_count, variant_count, used_count, required_count;
     const tl_gltf_bytes *buffers;
     const tl_gltf_view *views;
     const tl_gltf_accessor *accessors;
@@ -199,6 +219,7 @@ typedef struct tl_gltf {
     const tl_gltf_light *lights;
     const tl_gltf_skin *skins;
     const tl_gltf_animation *animations;
+    const char *const *variants; /* names */
     const char *const *extensions_used, *const *extensions_required;
 } tl_gltf;
 

@@ -34,6 +34,9 @@ struct document : tl_gltf {
     std::vector<std::vector<tl_gltf_primitive>> primitive_lists;
     std::vector<std::vector<tl_gltf_target>> target_lists;
     std::vector<std::vector<tl_gltf_influences>> influences_lists;
+    std::vector<std::vector<tl_gltf_mapping>> mapping_lists;
+    std::vector<std::vector<int>> mapped_lists;
+    std::vector<std::string> variant_names;
     std::vector<std::vector<tl_gltf_keys>> keys_lists;
     std::vector<std::vector<tl_gltf_channel>> channel_lists;
     std::vector<tl_gltf_mesh> mesh_list;
@@ -47,7 +50,7 @@ struct document : tl_gltf {
     std::vector<tl_gltf_light> light_list;
     std::vector<tl_gltf_skin> skin_list;
     std::vector<tl_gltf_animation> animation_list;
-    std::vector<const char *> used_list, required_list;
+    std::vector<const char *> variant_list, used_list, required_list;
 };
 
 const char *const attribute_names[] = {
@@ -382,6 +385,46 @@ void mirror_deformations(document &d, const tinygltf::Primitive &from, tl_gltf_p
     to.influences_count = d.influences_lists.back().size();
 }
 
+// The elements of an array of an extension; none where it is no array.
+std::vector<Value> elements(const Value *object, const char *name)
+{
+    std::vector<Value> found;
+    if (object && object->IsObject() && object->Has(name))
+        for (size_t i = 0; i < object->Get(name).ArrayLen(); i++)
+            found.push_back(object->Get(name).Get(static_cast<int>(i)));
+    return found;
+}
+
+// KHR_materials_variants, of a primitive.
+void mirror_mappings(document &d, const tinygltf::Primitive &from, tl_gltf_primitive &to)
+{
+    std::vector<tl_gltf_mapping> mappings;
+    for (const Value &one :
+         elements(find(from.extensions, "KHR_materials_variants"), "mappings")) {
+        std::vector<int> variants;
+        for (const Value &variant : elements(&one, "variants"))
+            variants.push_back(variant.IsInt() ? variant.Get<int>() : -2);
+        d.mapped_lists.push_back(std::move(variants));
+        mappings.push_back({index_number(&one, "material", -1), d.mapped_lists.back().size(),
+                            d.mapped_lists.back().data()});
+    }
+    d.mapping_lists.push_back(std::move(mappings));
+    to.mappings = d.mapping_lists.back().data();
+    to.mapping_count = d.mapping_lists.back().size();
+}
+
+// And of the file.
+void mirror_variants(document &d)
+{
+    for (const Value &one :
+         elements(find(d.model.extensions, "KHR_materials_variants"), "variants"))
+        d.variant_names.push_back(one.IsObject() && one.Has("name") &&
+                                          one.Get("name").IsString()
+                                      ? one.Get("name").Get<std::string>()
+                                      : "");
+    mirror_all(d.variant_names, d.variant_list, d.variants, d.variant_count);
+}
+
 void mirror_meshes(document &d)
 {
     d.primitive_lists.resize(d.model.meshes.size());
@@ -393,8 +436,10 @@ void mirror_meshes(document &d)
         mesh.weights = from.weights.data();
         mirror_all(from.primitives, d.primitive_lists[i], mesh.primitives,
                    mesh.primitive_count);
-        for (size_t k = 0; k < mesh.primitive_count; k++)
+        for (size_t k = 0; k < mesh.primitive_count; k++) {
             mirror_deformations(d, from.primitives[k], d.primitive_lists[i][k]);
+            mirror_mappings(d, from.primitives[k], d.primitive_lists[i][k]);
+        }
         d.mesh_list.push_back(mesh);
     }
     d.meshes = d.mesh_list.data();
@@ -437,6 +482,7 @@ void mirror_model(document &d)
     mirror_all(m.skins, d.skin_list, d.skins, d.skin_count);
     mirror_all(m.extensionsUsed, d.used_list, d.extensions_used, d.used_count);
     mirror_all(m.extensionsRequired, d.required_list, d.extensions_required, d.required_count);
+    mirror_variants(d);
     mirror_meshes(d);
     mirror_animations(d);
 }

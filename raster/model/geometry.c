@@ -3,6 +3,7 @@
 #include "load_limits.h"
 #include "lookup.h"
 #include "try.h"
+#include "variants.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,8 +22,9 @@ static const size_t NO_NODE = (size_t)-1;
 typedef struct loader {
     tl_model *model;
     tl_budget budget;
-    version *versions;    /* [mesh_count]: the last that was read */
-    size_t skipped_count; /* primitives */
+    version *versions;                    /* [mesh_count]: the last that was read */
+    size_t skipped_count;                 /* primitives */
+    bool is_used[TL_GLTF_TEXCOORD_COUNT]; /* sets of texture coordinates, by some material */
 } loader;
 
 /* --- triangles --------------------------------------------------------------------------------- */
@@ -87,6 +89,25 @@ static tl_status expand_triangles(loader *at,
 
 /* --- vertices ---------------------------------------------------------------------------------- */
 
+/* The first sets of texture coordinates are always read; others only where a material looks at them. */
+static bool is_wanted(const loader *at, int attribute)
+{
+    return attribute <= TL_GLTF_TEXCOORD_1 || attribute == TL_GLTF_COLOR ||
+           at->is_used[attribute - TL_GLTF_TEXCOORD_0];
+}
+
+static void find_used_sets(loader *at)
+{
+    const tl_gltf *const gltf = at->model->gltf;
+    for (size_t i = 0; i < gltf->material_count * TL_GLTF_SLOT_COUNT; i++) {
+        const tl_gltf_texture_use *const use =
+            &gltf->materials[i / TL_GLTF_SLOT_COUNT].textures[i % TL_GLTF_SLOT_COUNT];
+        if (use->texture != -1 && use->coordinates >= 0 &&
+            use->coordinates < TL_GLTF_TEXCOORD_COUNT)
+            at->is_used[use->coordinates] = true;
+    }
+}
+
 static tl_status read_attributes(loader *at,
                                  const char *user,
                                  const tl_gltf_primitive *from,
@@ -95,7 +116,7 @@ static tl_status read_attributes(loader *at,
 {
     for (int i = 0; i < TL_GLTF_ATTRIBUTE_COUNT; i++) {
         size_t count = 0;
-        if (from->attributes[i] == -1)
+        if (from->attributes[i] == -1 || !is_wanted(at, i))
             continue;
         const tl_status status =
             tl_accessor_read(at->model->gltf, user, from->attributes[i], i, &at->budget,
@@ -165,17 +186,12 @@ static tl_status load_part(
     uint32_t *sequence = NULL;
     tl_status status = TL_OK;
 
-    *part =
-        (tl_part){.mesh = mesh_index, .primitive = primitive, .material = gltf->material_count};
+    *part = (tl_part){.mesh = mesh_index, .primitive = primitive};
     model->part_count++;
     if (from->mode < 0 || from->mode >= MODE_COUNT)
         return tl_fail(err, TL_ERR_FORMAT, "%s: %s has the mode %d; 0 to 6 are modes",
                        gltf->path, user.text, from->mode);
-    if (from->material != -1) {
-        TRY(tl_gltf_check_index(gltf, user.text, "material", from->material,
-                                gltf->material_count, err));
-        part->material = (size_t)from->material;
-    }
+    TRY(tl_variant_material(gltf, user.text, from, model->variant, &part->material, err));
     if (from->mode < FIRST_TRIANGLE_MODE || from->attributes[TL_GLTF_POSITION] == -1) {
         at->skipped_count++;
         return TL_OK;
@@ -267,6 +283,7 @@ tl_status tl_load_geometry(tl_model *model,
     loader at = {.model = model, .budget = {tl_max_geometry_bytes}};
     tl_status status = TL_OK;
 
+    find_used_sets(&at);
     TRY(make_room(&at, placements, err));
     for (size_t i = 0; i < placements->count; i++) {
         const tl_placed *const placed = &placements->meshes[i];

@@ -113,10 +113,11 @@ static tl_status load_slot(tl_model *model,
     if (use->texture == -1)
         return TL_OK;
     TRY(tl_gltf_check_index(gltf, user, "texture", use->texture, gltf->texture_count, err));
-    if (use->coordinates < 0 || use->coordinates > 1)
+    if (use->coordinates < 0 || use->coordinates >= TL_GLTF_TEXCOORD_COUNT)
         return tl_fail(err, TL_ERR_UNSUPPORTED,
-                       "%s: %s uses TEXCOORD_%d for its %s; TEXCOORD_0 and _1 can be read",
-                       gltf->path, user, use->coordinates, slot_names[slot]);
+                       "%s: %s uses TEXCOORD_%d for its %s; TEXCOORD_0 to _%d can be read",
+                       gltf->path, user, use->coordinates, slot_names[slot],
+                       TL_GLTF_TEXCOORD_COUNT - 1);
     const tl_gltf_texture *const from = &gltf->textures[use->texture];
     if (from->image == -1) {
         tl_notice(notices, "%s: texture %d has no image that can be read; %s does without it",
@@ -235,6 +236,28 @@ static void tell_of_blending(const tl_model *model, const bool *used, const tl_n
                   model->gltf->path, names);
 }
 
+/* OpenGL then reads 0, 0 for every vertex. */
+static void tell_of_missing_coordinates(const tl_model *model, const tl_notices *notices)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < model->part_count; i++) {
+        const tl_part *const part = &model->parts[i];
+        bool is_missing = false;
+        for (int k = 0; k < TL_GLTF_SLOT_COUNT && part->index_count > 0; k++) {
+            const tl_texture_slot *const slot = &model->materials[part->material].slots[k];
+            is_missing |=
+                slot->texture != -1 && !model->vertices[part->vertices]
+                                            .attributes[TL_GLTF_TEXCOORD_0 + slot->coordinates];
+        }
+        count += is_missing;
+    }
+    if (count)
+        tl_notice(notices,
+                  "%s: %zu primitives lack texture coordinates that their materials look at; "
+                  "those textures show one colour there",
+                  model->gltf->path, count);
+}
+
 tl_status tl_load_materials(tl_model *model, const tl_notices *notices, tl_error *err)
 {
     const size_t count = model->gltf->material_count;
@@ -258,6 +281,7 @@ tl_status tl_load_materials(tl_model *model, const tl_notices *notices, tl_error
         if (used[i])
             TRY(load_material(model, i, notices, &model->materials[i], err));
     tell_of_blending(model, used, notices);
+    tell_of_missing_coordinates(model, notices);
 done:
     free(used);
     return status;

@@ -3,11 +3,13 @@
 #include "loading.h"
 #include "lookup.h"
 #include "try.h"
+#include "variants.h"
 
 #include <stdlib.h>
 
 tl_status tl_model_load(const char *path,
                         const tl_moment *moment,
+                        const char *variant,
                         const tl_notices *notices,
                         tl_model **out,
                         tl_error *err)
@@ -21,6 +23,7 @@ tl_status tl_model_load(const char *path,
         return tl_fail(err, TL_ERR_MEMORY, "%s: out of memory", path);
     TRY(tl_gltf_open(path, notices, &made->gltf, err));
     TRY(tl_animation_pose(made->gltf, moment, notices, &pose, err));
+    TRY(tl_find_variant(made->gltf, variant, &made->variant, err));
     TRY(tl_load_nodes(made, &pose, notices, &placements, err));
     TRY(tl_load_instances(made, &placements, err));
     TRY(tl_load_geometry(made, &pose, &placements, notices, err));

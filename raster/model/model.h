@@ -63,7 +63,7 @@ typedef struct tl_texture {
 
 typedef struct tl_texture_slot {
     int texture;     /* index into the model's textures, -1: none */
-    int coordinates; /* 0 or 1 */
+    int coordinates; /* the set: TEXCOORD_<coordinates>, below TL_GLTF_TEXCOORD_COUNT */
     float uv_from_coordinates[2][3];
 } tl_texture_slot;
 
@@ -78,6 +78,7 @@ typedef struct tl_material {
 
 typedef struct tl_model {
     const tl_gltf *gltf; /* owned; for names in messages */
+    int variant; /* of the materials (variants.h) */
     size_t vertices_count, part_count, draw_count, camera_count, light_count;
     size_t material_count, texture_count, pixels_count;
     tl_vertices *vertices;
@@ -89,10 +90,12 @@ typedef struct tl_model {
     tl_pixels *pixels;           /* what those look at */
 } tl_model;
 
-/* Loads a scene as it is at that moment, its images undecoded. The caller releases *out with
+/* Loads a scene as it is at that moment, in a variant of its materials by name or index, NULL: none; its
+ * images undecoded. The caller releases *out with
  * tl_model_destroy. Fails as tl_capture does, without TL_ERR_DEVICE. */
 tl_status tl_model_load(const char *path,
                         const tl_moment *moment,
+                        const char *variant,
                         const tl_notices *notices,
                         tl_model **out,
                         tl_error *err);

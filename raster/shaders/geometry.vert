@@ -5,8 +5,7 @@ invariant gl_Position;
 layout(location = ATTRIBUTE_POSITION) in vec3 position;
 layout(location = ATTRIBUTE_NORMAL) in vec3 normal;
 layout(location = ATTRIBUTE_TANGENT) in vec4 tangent;
-layout(location = ATTRIBUTE_TEXCOORD_0) in vec2 texcoord_0;
-layout(location = ATTRIBUTE_TEXCOORD_1) in vec2 texcoord_1;
+layout(location = ATTRIBUTE_TEXCOORD_0) in vec2 texcoord[SET_COUNT];
 layout(location = ATTRIBUTE_COLOR) in vec4 color;
 
 layout(location = UNIFORM_CLIP_FROM_VIEW) uniform mat4 clip_from_view;
@@ -18,8 +17,7 @@ layout(location = UNIFORM_BITANGENT_SIGN) uniform float bitangent_sign;
 out vec3 view_position;
 out vec3 world_normal;
 out vec4 world_tangent;
-out vec2 uv_0;
-out vec2 uv_1;
+out vec2 uv_sets[SET_COUNT];
 out vec4 vertex_color;
 
 // Some files have normals of length 0: they stay so, instead of becoming NaN.
@@ -35,7 +33,7 @@ void main()
     gl_Position = clip_from_view * vec4(view_position, 1.0);
     world_normal = unit(normal_from_model * normal);
     world_tangent = vec4(unit(tangent_from_model * tangent.xyz), tangent.w * bitangent_sign);
-    uv_0 = texcoord_0;
-    uv_1 = texcoord_1;
+    for (int i = 0; i < SET_COUNT; i++)
+        uv_sets[i] = texcoord[i];
     vertex_color = color;
 }

@@ -5,8 +5,17 @@
 #define ATTRIBUTE_NORMAL 1
 #define ATTRIBUTE_TANGENT 2
 #define ATTRIBUTE_TEXCOORD_0 3
-#define ATTRIBUTE_TEXCOORD_1 4
-#define ATTRIBUTE_COLOR 5
+#define ATTRIBUTE_COLOR 11
+
+/* Sets of texture coordinates, from ATTRIBUTE_TEXCOORD_0 on. Few materials look at more than two, so shaders
+ * for more are others. */
+#define MOST_SETS 8
+#define FEW_SETS 2
+#ifdef MANY_SETS
+#define SET_COUNT MOST_SETS
+#else
+#define SET_COUNT FEW_SETS
+#endif
 
 /* Texture units, and the order of per-slot uniforms: that of TL_GLTF_SLOTS. */
 #define SLOT_BASE_COLOR 0

@@ -1,6 +1,5 @@
 // Texture lookups and the alpha test, for both passes.
-in vec2 uv_0;
-in vec2 uv_1;
+in vec2 uv_sets[SET_COUNT];
 in vec4 vertex_color;
 
 layout(location = UNIFORM_BASE_COLOR) uniform vec4 base_color_factor;
@@ -17,7 +16,9 @@ layout(binding = SLOT_BASE_COLOR) uniform sampler2D base_color_texture;
 // Texture coordinates of a slot: its set, then KHR_texture_transform.
 vec2 uv_of(int slot)
 {
-    vec3 st = vec3(coordinates[slot] == 0 ? uv_0 : uv_1, 1.0);
+    vec3 st = vec3(uv_sets[0], 1.0);
+    for (int i = 1; i < SET_COUNT; i++)
+        st.xy = coordinates[slot] == i ? uv_sets[i] : st.xy;
     return vec2(dot(uv_rows[2 * slot], st), dot(uv_rows[2 * slot + 1], st));
 }
 

@@ -17,6 +17,7 @@ enum { TL_DEFAULT_ANISOTROPY = 16, TL_MAX_ANISOTROPY = 16 };
 typedef struct tl_capture_options {
     uint32_t width, height; /* px; 0: 1280 x 720 */
     const char *camera; /* name or index; NULL: the first of the default scene, else framed */
+    const char *variant; /* of the materials, by name or index; NULL: the file's own materials */
     enum tl_layout_name layout; /* how pixels are packed; 0 is full float */
     uint32_t
         anisotropy; /* of textures that have mipmaps, 1 (off) to 16; 0: TL_DEFAULT_ANISOTROPY */
@@ -34,7 +35,7 @@ typedef struct tl_capture_options {
  * place for is named in a notice.
  * Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED (an extension the file requires; a layout whose
  * convention of depth this camera has not),
- * TL_ERR_ARGUMENT (size, camera, anisotropy, time, animation), TL_ERR_MEMORY or TL_ERR_DEVICE (OpenGL), naming the file and
+ * TL_ERR_ARGUMENT (size, camera, anisotropy, time, animation, variant), TL_ERR_MEMORY or TL_ERR_DEVICE (OpenGL), naming the file and
  * the node, mesh, accessor, image or extension concerned. */
 tl_status tl_capture(const char *path,
                      const tl_capture_options *options,
