@@ -205,17 +205,20 @@ typedef struct tl_layout {
         .emissive = ATTRIBUTE(TL_COLOR_RGB, HALF_AT(2, 16), HALF_AT(4, 16), BYTE_AT(5, 24))  \
     }
 
-/* Eight planes: depth f32; normal x, y, specular amount and power f16; albedo 3 x 8 bits. */
-#define ROW_ISPC                                                                               \
-    {                                                                                          \
-        .word_count = 8, .words = {FOUR_BYTES, TWO_BYTES, TWO_BYTES, TWO_BYTES,                \
-                                   TWO_BYTES,  ONE_BYTE,  ONE_BYTE,  ONE_BYTE},                \
-        .normal_space = TL_NORMALS_IN_VIEW, .depth = ATTRIBUTE(TL_DEPTH_FORWARD, FLOAT_AT(0)), \
-        .normal = {TL_NORMAL_SPHEREMAP, {HALF_AT(1, 0), HALF_AT(2, 0)}},                       \
-        .specular = ATTRIBUTE(TL_COLOR_GRAY, HALF_AT(3, 0)),                                   \
-        .shininess = ATTRIBUTE(TL_VALUE_PLAIN, HALF_AT(4, 0)),                                 \
-        .albedo = ATTRIBUTE(TL_COLOR_RGB, BYTE_AT(5, 0), BYTE_AT(6, 0), BYTE_AT(7, 0))         \
+/* Eight planes: depth f32; normal x, y, specular amount and power f16; albedo 3 x 8 bits. Depth as the
+ * camera's matrix has it, which may be reversed. */
+#define ISPC_LAYOUT(depth_code)                                                          \
+    {                                                                                    \
+        .word_count = 8, .words = {FOUR_BYTES, TWO_BYTES, TWO_BYTES, TWO_BYTES,          \
+                                   TWO_BYTES,  ONE_BYTE,  ONE_BYTE,  ONE_BYTE},          \
+        .normal_space = TL_NORMALS_IN_VIEW, .depth = ATTRIBUTE(depth_code, FLOAT_AT(0)), \
+        .normal = {TL_NORMAL_SPHEREMAP, {HALF_AT(1, 0), HALF_AT(2, 0)}},                 \
+        .specular = ATTRIBUTE(TL_COLOR_GRAY, HALF_AT(3, 0)),                             \
+        .shininess = ATTRIBUTE(TL_VALUE_PLAIN, HALF_AT(4, 0)),                           \
+        .albedo = ATTRIBUTE(TL_COLOR_RGB, BYTE_AT(5, 0), BYTE_AT(6, 0), BYTE_AT(7, 0))   \
     }
+#define ROW_ISPC ISPC_LAYOUT(TL_DEPTH_FORWARD)
+#define ROW_ISPC_REVERSED ISPC_LAYOUT(TL_DEPTH_REVERSED)
 
 /* Ours. Emission is a word of its own, where a scene has any. What lies in the same bits is of the two
  * kinds of material, of which a frame has one. */

@@ -24,7 +24,8 @@
     X(TL_LAYOUT_DXR, ROW_DXR, "dxr")                                        \
     X(TL_LAYOUT_ISPC, ROW_ISPC, "ispc")                                     \
     X(TL_LAYOUT_COMPACT_16, ROW_COMPACT_16, "compact-16")                   \
-    X(TL_LAYOUT_COMPACT_12, ROW_COMPACT_12, "compact-12")
+    X(TL_LAYOUT_COMPACT_12, ROW_COMPACT_12, "compact-12")                   \
+    X(TL_LAYOUT_ISPC_REVERSED, ROW_ISPC_REVERSED, "ispc-reversed")
 
 #define TL_LAYOUT_NAME(name, row, word) name,
 enum tl_layout_name { TL_LAYOUTS(TL_LAYOUT_NAME) TL_LAYOUT_COUNT };

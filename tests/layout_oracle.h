@@ -114,6 +114,12 @@ static const oracle_row oracle_rows[TL_LAYOUT_COUNT] = {
                         .normals_in_view = 1,
                         .specular = GRAY,
                         .words = "px:f32|nx:f16|ny:f16|sr:f16|exponent:f16|ar:u8|ag:u8|ab:u8"},
+    [TL_LAYOUT_ISPC_REVERSED] = {.depth = REVERSED,
+                                 .normal = SPHEREMAP,
+                                 .normals_in_view = 1,
+                                 .specular = GRAY,
+                                 .words =
+                                     "px:f32|nx:f16|ny:f16|sr:f16|exponent:f16|ar:u8|ag:u8|ab:u8"},
     [TL_LAYOUT_COMPACT_16] = {.depth = METRES,
                               .normal = OCTAHEDRON,
                               .albedo = SQUARED,

@@ -61,6 +61,15 @@ const tl_format_row *tl_format_describe(enum tl_format format)
     TARGET(RGBA8, 0, 1, "diffuse, logarithm of the exponent"), \
         TARGET(RGBA8, 1, 1, "normal in view space, index of the BRDF")
 
+#define ISPC_TARGETS(depth)                                               \
+    4,                                                                    \
+    {                                                                     \
+        TARGET(D32F, 0, 1, depth),                                        \
+            TARGET(RG16F, 1, 2, "spheremap of the normal in view space"), \
+            TARGET(RG16F, 3, 2, "specular as one number, exponent"),      \
+            TARGET(RGBA8, 5, 3, "albedo")                                 \
+    }
+
 static const tl_layout_info infos[TL_LAYOUT_COUNT] = {
     [TL_LAYOUT_FLOAT] = {TILELIGHT, "every attribute in full float, depth in metres",
                          FLOAT_WITH_DEPTH("depth in m")},
@@ -135,13 +144,10 @@ static const tl_layout_info infos[TL_LAYOUT_COUNT] = {
                         TARGET(RGBA16F, 3, 2, "normal in view space, green of emission"),
                         TARGET(
                             RGBA8, 5, 1, "occlusion, metallic, roughness, blue of emission")}},
-    [TL_LAYOUT_ISPC] = {ISPC,
-                        "planes of 15 bytes, spheremap normals",
-                        4,
-                        {TARGET(D32F, 0, 1, "depth, 0 to 1"),
-                         TARGET(RG16F, 1, 2, "spheremap of the normal in view space"),
-                         TARGET(RG16F, 3, 2, "specular as one number, exponent"),
-                         TARGET(RGBA8, 5, 3, "albedo")}},
+    [TL_LAYOUT_ISPC] = {ISPC, "planes of 15 bytes, spheremap normals",
+                        ISPC_TARGETS("depth, 0 to 1")},
+    [TL_LAYOUT_ISPC_REVERSED] = {ISPC, "the same under a reversed projection",
+                                 ISPC_TARGETS("depth, 1 to 0")},
     [TL_LAYOUT_COMPACT_16] =
         {TILELIGHT,
          "16 bytes, 20 with emission: octahedral normals, roots of colours",
