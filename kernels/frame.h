@@ -56,9 +56,9 @@ typedef struct tl_view_light {
     float position[3]; /* m; of a directional light the unit vector towards it */
     float range2;      /* m^2, see reach.h; of no meaning for a light that reaches everything */
     float diffuse[3];  /* cd or lx, linear Rec. 709 */
-    float fade;        /* 1/range or 1/range^2: see falloff.h */
+    float fade;        /* 1/range, 1/range^2 or 1/(range - begin): see falloff.h */
     float specular[3]; /* cd or lx */
-    tl_u32 falloff;    /* a row of falloff.h */
+    tl_u32 falloff;    /* a row of falloff.h, as falloff_row() reads it */
 } tl_view_light;
 TL_STATIC_ASSERT(sizeof(tl_view_light) == 48, view_light_is_three_rows);
 

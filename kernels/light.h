@@ -1,10 +1,11 @@
-/* A surface, lit by one light after another: equations 1 to 4 of Policarpo and Fonseca, "Deferred
- * Shading Tutorial" (2005),
+/* A surface, lit by one light after another: what each lobe of a model (models.h) receives,
  *
- *     weight(d) color (diffuse max(0, n.l) + specular max(0, n.h)^shininess),
+ *     diffuse   weight(d) color max(0, n.l)
+ *     specular  weight(d) color max(0, n.h)^shininess, times n.l where the model says so,
  *
- * with l from the point to the light and v from the point to the eye (their listing has v the
- * other way round), and no specular where n.l <= 0. */
+ * with l from the point to the light and v from the point to the eye (the listing of Policarpo and
+ * Fonseca has v the other way round), and no specular where n.l <= 0. What does not change from light
+ * to light multiplies after the last one (pixel.h). */
 #ifndef TL_LIGHT_H
 #define TL_LIGHT_H
 
@@ -39,15 +40,23 @@ TL_INLINE approach approach_of(surface s, vec3 l)
     return a;
 }
 
-/* `diffuse` and what arrives with `weight` under this cosine, in lanes of `lit`. *seen becomes the
- * weight where the light is above the surface. A lane outside `lit` adds exactly 0. */
-TL_INLINE vec3
-add_diffuse(vec3 diffuse, tl_view_light light, real cosine, real weight, mask lit, real *seen)
+/* `diffuse` and what arrives with `weight` under this cosine, in lanes of `lit`. *seen becomes what the
+ * specular lobe is multiplied by: the weight where the light is above the surface, or what arrives.
+ * A lane outside `lit` adds exactly 0. */
+TL_INLINE vec3 add_diffuse(vec3 diffuse,
+                           tl_needs needs,
+                           tl_view_light light,
+                           real cosine,
+                           real weight,
+                           mask lit,
+                           real *seen)
 {
     const vec3 color = {(real)light.diffuse[0], (real)light.diffuse[1], (real)light.diffuse[2]};
     const mask above = lit & (cosine > R(0.0));
-    *seen = pick(above, weight, R(0.0));
-    return fma3(color, pick(above, *seen * cosine, R(0.0)), diffuse);
+    const real shown = pick(above, weight, R(0.0));
+    const real arriving = pick(above, shown * cosine, R(0.0));
+    *seen = lobe_has(needs, TL_LOBE_COSINE) ? arriving : shown;
+    return fma3(color, arriving, diffuse);
 }
 
 /* The half vector is taken |l| times as long as usual, l + |l| v, so that it does not wait for the
@@ -78,10 +87,13 @@ add_highlight(vec3 specular, surface s, tl_view_light light, vec3 l, real length
 TL_INLINE real
 fade_of(tl_needs needs, tl_view_light light, real distance2, real distance, real per_distance)
 {
-    const tl_u32 linear = needs.falloffs & (1u << TL_FADE_LINEAR);
-    const tl_u32 inverse = needs.falloffs & (1u << TL_FADE_INVERSE_SQUARE);
-    if (linear && (!inverse || light.falloff == TL_FADE_LINEAR))
+    const tl_u32 ranged = needs.falloffs & ~(1u << TL_FADE_NONE);
+    if (ranged == (1u << TL_FADE_LINEAR) ||
+        ((ranged & (1u << TL_FADE_LINEAR)) && light.falloff == TL_FADE_LINEAR))
         return fade_linear(distance, light.fade);
+    if (ranged == (1u << TL_FADE_LINEAR_FROM) ||
+        ((ranged & (1u << TL_FADE_LINEAR_FROM)) && light.falloff >= TL_FADE_COUNT))
+        return fade_linear_from(distance, light.fade, light.falloff);
     return fade_inverse_square(distance2, per_distance, light.fade);
 }
 
@@ -100,7 +112,7 @@ TL_INLINE vec3 add_ranged_diffuse(
     *distance = SQRT(a.distance2);
     const real per_distance = R(1.0) / *distance;
     const mask lit = reaches(light, a.distance2) & (a.distance2 > TL_LEAST_DISTANCE2);
-    return add_diffuse(diffuse, light, a.facing * per_distance,
+    return add_diffuse(diffuse, needs, light, a.facing * per_distance,
                        fade_of(needs, light, a.distance2, *distance, per_distance), lit, seen);
 }
 
@@ -136,7 +148,7 @@ TL_INLINE received add_global_light(received sum,
     const real weight =
         is_directional ? (real)R(1.0) : fade_inverse_square(a.distance2, per_distance, R(0.0));
     real seen;
-    sum.diffuse = add_diffuse(sum.diffuse, light, a.facing * per_distance, weight,
+    sum.diffuse = add_diffuse(sum.diffuse, needs, light, a.facing * per_distance, weight,
                               a.distance2 > R(0.0), &seen);
     if (needs.specular)
         sum.specular = add_highlight(sum.specular, s, light, l, distance, seen);

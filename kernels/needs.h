@@ -4,6 +4,7 @@
 #define TL_NEEDS_H
 
 #include "dialect.h"
+#include "models.h"
 
 typedef struct tl_needs {
     tl_u32 present;      /* planes of the frame, bits 1 << plane */
@@ -11,15 +12,27 @@ typedef struct tl_needs {
     tl_u32 specular;     /* 1: some light and some material have a specular lobe */
     tl_u32 orthographic; /* 1: parallel rays */
     tl_u32 layout;       /* how pixels are packed: a row of layout.h */
+    tl_u32 model;        /* how surfaces reflect: a row of models.h */
 } tl_needs;
 
 #ifdef __OPENCL_C_VERSION__
 TL_INLINE tl_needs needs_of_build(void)
 {
-    const tl_needs needs = {TL_PRESENT, TL_FALLOFFS_USED, TL_SPECULAR, TL_ORTHOGRAPHIC,
-                            TL_LAYOUT};
+    const tl_needs needs = {TL_PRESENT,      TL_FALLOFFS_USED, TL_SPECULAR,
+                            TL_ORTHOGRAPHIC, TL_LAYOUT,        TL_MODEL};
     return needs;
 }
 #endif
+
+/* Whether the lobe of the scene's model is multiplied by this. */
+TL_INLINE int lobe_has(tl_needs needs, enum tl_lobe_factor factor)
+{
+#define TL_MODEL_FACTORS(name, word, factors, source) \
+    if (needs.model == name)                          \
+        return ((factors)&factor) != 0;
+    TL_MODELS(TL_MODEL_FACTORS)
+#undef TL_MODEL_FACTORS
+    return 0;
+}
 
 #endif

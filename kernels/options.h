@@ -17,7 +17,8 @@
  *   layout         how pixels are packed: a row of layout.h
  *   present        the planes of the frame, bits 1 << plane
  *   specular       1: some light has a specular lobe and the frame a specular material
- *   falloffs       the rows of falloff.h that lights of the scene use, bits 1 << row */
+ *   falloffs       the rows of falloff.h that lights of the scene use, bits 1 << row
+ *   model          how surfaces reflect: a row of models.h */
 #define TL_KERNEL_OPTIONS(X)           \
     X(TL_WIDTH, width)                 \
     X(TL_BY_PIXEL, by_pixel)           \
@@ -27,12 +28,14 @@
     X(TL_LAYOUT, layout)               \
     X(TL_PRESENT, present)             \
     X(TL_SPECULAR, specular)           \
-    X(TL_FALLOFFS_USED, falloffs)
+    X(TL_FALLOFFS_USED, falloffs)      \
+    X(TL_MODEL, model)
 
 #ifdef __OPENCL_C_VERSION__
 #    if !defined(TL_WIDTH) || !defined(TL_BY_PIXEL) || !defined(TL_REAL_DOUBLE) ||        \
         !defined(TL_PRECISE_POWER) || !defined(TL_ORTHOGRAPHIC) || !defined(TL_LAYOUT) || \
-        !defined(TL_PRESENT) || !defined(TL_SPECULAR) || !defined(TL_FALLOFFS_USED)
+        !defined(TL_PRESENT) || !defined(TL_SPECULAR) || !defined(TL_FALLOFFS_USED) ||    \
+        !defined(TL_MODEL)
 #        error "build the kernels through tl_program_build(), which passes every option"
 #    endif
 #    if TL_BY_PIXEL && TL_WIDTH != 1

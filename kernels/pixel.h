@@ -69,18 +69,35 @@ TL_INLINE real ambient_of(tl_needs needs, real albedo, scalar ambient, real occl
     return light;
 }
 
+/* What multiplies the light that the specular lobe received. (e + 2)/8 is rounded once. */
+TL_INLINE vec3 lobe_color(tl_needs needs, phong_material m)
+{
+    vec3 c = m.specular;
+    if (lobe_has(needs, TL_LOBE_ENERGY)) {
+        const real energy = FMA(m.shininess, R(0.125), R(0.25));
+        const vec3 scaled = {c.x * energy, c.y * energy, c.z * energy};
+        c = scaled;
+    }
+    if (lobe_has(needs, TL_LOBE_DIFFUSE)) {
+        const vec3 tinted = {c.x * m.diffuse.x, c.y * m.diffuse.y, c.z * m.diffuse.z};
+        c = tinted;
+    }
+    return c;
+}
+
 /* What leaves a pixel towards the eye; the sky's radiance where nothing was hit. */
 TL_INLINE vec3
 radiance_of(const tl_frame *frame, tl_needs needs, pixel of, phong_material m, received sum)
 {
+    const vec3 lobe = lobe_color(needs, m);
     const vec3 lit = {
-        channel_of(needs, m.diffuse.x, sum.diffuse.x, m.specular.x, sum.specular.x,
+        channel_of(needs, m.diffuse.x, sum.diffuse.x, lobe.x, sum.specular.x,
                    ambient_of(needs, of.albedo.x, frame->ambient[0], of.occlusion),
                    of.emissive.x),
-        channel_of(needs, m.diffuse.y, sum.diffuse.y, m.specular.y, sum.specular.y,
+        channel_of(needs, m.diffuse.y, sum.diffuse.y, lobe.y, sum.specular.y,
                    ambient_of(needs, of.albedo.y, frame->ambient[1], of.occlusion),
                    of.emissive.y),
-        channel_of(needs, m.diffuse.z, sum.diffuse.z, m.specular.z, sum.specular.z,
+        channel_of(needs, m.diffuse.z, sum.diffuse.z, lobe.z, sum.specular.z,
                    ambient_of(needs, of.albedo.z, frame->ambient[2], of.occlusion),
                    of.emissive.z)};
     const mask hit = of.depth < (real)INFINITY;

@@ -68,6 +68,14 @@ static inline void place_case(tl_gbuffer *g, tl_light_set *lights, uint32_t i)
         light.falloff = (tl_falloff)falloff;
         ASSERT_OK(tl_light_set_add(lights, &light, &err), err);
     }
+    light.falloff =
+        TL_FALLOFF_LINEAR; /* begins half way, one float before its end, and there */
+    for (int k = 0; k < 3; k++) {
+        light.begin = k == 0   ? 0.5f * light.range
+                      : k == 1 ? nextafterf(light.range, 0.0f)
+                               : light.range;
+        ASSERT_OK(tl_light_set_add(lights, &light, &err), err);
+    }
 }
 
 /* A sun, a lamp without a range, ambient light and a sky beside the cases. */

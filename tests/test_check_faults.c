@@ -35,6 +35,13 @@ static const kernel_case faults[] = {
     {"last light of every list left out", "wall", "k < frame.global_count + listed",
      "k + 1 < frame.global_count + listed"},
     {"pow(n.h, e)", "peaks", STABLE_POWER, TEXTBOOK_POWER},
+    {"a falloff that begins later not cut at 1", "later",
+     "clamp(as_float(light.falloff) - distance * light.fade, 0.0f, 1.0f)",
+     "fmax(as_float(light.falloff) - distance * light.fade, 0.0f)"},
+    {"normalised, without its cosine", "normalized", "lobe *= n_dot_l", "lobe *= 1.0f"},
+    {"normalised, (e + 8)/8", "normalized", "(exponent + 2.0f) / 8.0f",
+     "(exponent + 8.0f) / 8.0f"},
+    {"normalised, not tinted", "normalized-metal", "specular *= diffuse *", "specular *="},
 };
 
 /* Right, though not what ours do. */

@@ -5,6 +5,7 @@
 #include "frames.h"
 
 #include "check_frames.h"
+#include "falloff.h"
 #include "reference.h"
 
 #include "tilelight/check.h"
@@ -43,6 +44,17 @@ CHANGE_LIGHTS(diffuse, diffuse[0])
 CHANGE_LIGHTS(specular, specular[1])
 CHANGE_LIGHTS(fade, fade)
 
+static void change_offset(tl_prepared *p)
+{
+    for (uint32_t i = 0; i < p->frame.light_count; i++) {
+        float offset;
+        memcpy(&offset, &p->lights[i].falloff, sizeof offset);
+        scale(&offset);
+        if (p->lights[i].falloff >= TL_FADE_COUNT)
+            memcpy(&p->lights[i].falloff, &offset, sizeof offset);
+    }
+}
+
 static const struct {
     const char *name, *frame;
     void (*change)(tl_prepared *prepared);
@@ -62,6 +74,9 @@ static const struct {
     {"specular", "spheres", change_specular},
     {"fade, linear", "spheres", change_fade},
     {"fade, both falloffs", "mixed", change_fade},
+    {"fade, from a distance", "later", change_fade},
+    {"offset, from a distance", "later", change_offset},
+    {"specular, normalised", "normalized", change_specular},
 };
 
 static int frame_named(const char *name)

@@ -64,6 +64,16 @@ static void shells(const tl_gbuffer *g, tl_light_set *lights, uint32_t count)
     tl_prepared_clear(&prepared);
 }
 
+/* As bright up to that pixel as anywhere: what is lost at the rim shows at once. */
+static void steps(const tl_gbuffer *g, tl_light_set *lights, uint32_t count)
+{
+    shells(g, lights, count);
+    for (uint32_t i = 0; i < count; i++) {
+        lights->lights[i].falloff = TL_FALLOFF_LINEAR;
+        lights->lights[i].begin = lights->lights[i].range;
+    }
+}
+
 static void all_over(const tl_gbuffer *g, tl_light_set *lights, uint32_t count)
 {
     scattered(g, lights, count);
@@ -101,6 +111,7 @@ static const struct {
     {"no light", 0, scattered},
     {"scattered", 200, scattered},
     {"ranges that end at a pixel", SMALL, shells},
+    {"steps that end at a pixel", SMALL, steps},
     {"around the eye", SMALL, around_the_eye},
     {"more lights on every tile than a block holds", MANY, all_over},
     {"few lights after many", 3, scattered},

@@ -2,8 +2,9 @@
  *
  * The oracle is written from the equations, in long double and world space: it shares no header with
  * the kernels. Phong: Policarpo and Fonseca 2005, equations 1 to 4 (with the half vector of unit
- * vectors, specular 0 where N.L <= 0); inverse square: KHR_lights_punctual; metal-rough to Phong:
- * docs/conventions.md. What may lie between the two is derived below, light by light. */
+ * vectors, specular 0 where N.L <= 0); normalised Blinn-Phong, and a linear falloff that begins at a
+ * distance: the ISPC project's deferred example; inverse square: KHR_lights_punctual; metal-rough to
+ * Phong: docs/conventions.md. What may lie between the two is derived below, light by light. */
 #include "frames.h"
 
 enum { WIDTH = 40, HEIGHT = 30, LIGHT_COUNT = 30 };
@@ -68,7 +69,9 @@ static wide fade(const tl_light *light, wide d)
     if (d >= (wide)light->range)
         return 0;
     if (light->falloff == TL_FALLOFF_LINEAR)
-        return 1 - d / (wide)light->range;
+        return d <= (wide)light->begin
+                   ? 1
+                   : ((wide)light->range - d) / ((wide)light->range - (wide)light->begin);
     const wide share = isinf(light->range) ? 0 : d / (wide)light->range;
     const wide nearest = d < 0.01L ? 0.01L : d;
     return (1 - share * share * share * share) / (nearest * nearest);
@@ -160,6 +163,7 @@ static v3 radiance(const tl_gbuffer *g,
 {
     const seen s = surface(g, x, y);
     const wide moved = by->displaced * u * displacement(&g->camera, s.point);
+    const int normalized = lights->model == TL_MODEL_BLINN_PHONG_NORMALIZED;
     v3 out = s.emissive;
     for (int i = 0; i < 3; i++) {
         out.v[i] += s.albedo.v[i] * lights->ambient[i] * s.occlusion;
@@ -177,12 +181,16 @@ static v3 radiance(const tl_gbuffer *g,
         const wide weight = fade(light, d) * light->intensity;
         const wide fall = (fade(light, d - moved) - fade(light, d + moved)) * light->intensity;
         const wide lobe = n_dot_h > 0 ? powl(n_dot_h, s.shininess) : 0;
-        const wide steep = turn * (1 + sqrtl(s.shininess)) + by->lobe * u * 33;
+        /* The normalised lobe's cosine turns too, but is not above 1. */
+        const wide steep = turn * (1 + sqrtl(s.shininess) + normalized) + by->lobe * u * 33;
         for (int i = 0; i < 3; i++) {
             const wide diffuse = light->color[i] * s.diffuse.v[i] * light->diffuse;
-            const wide specular = light->color[i] * s.specular.v[i] * light->specular;
+            wide specular = light->color[i] * s.specular.v[i] * light->specular;
+            if (normalized)
+                specular *= s.diffuse.v[i] * (s.shininess + 2) / 8;
             if (n_dot_l > 0)
-                out.v[i] += weight * (diffuse * n_dot_l + specular * lobe);
+                out.v[i] +=
+                    weight * (diffuse * n_dot_l + specular * lobe * (normalized ? n_dot_l : 1));
             slack->v[i] += (fall + weight * by->term * u) * (diffuse + specular) +
                            weight * (diffuse * turn + specular * steep);
             if (fabsl(n_dot_l) < turn)
@@ -199,10 +207,13 @@ static void add_lights(const tl_camera *camera, tl_light_set *lights)
     for (int i = 0; i < LIGHT_COUNT; i++) {
         tl_light light = random_light(camera, &seed, 0.5f, 6.0f);
         light.intensity = uniform(&seed, 0.1f, 3.0f);
+        if (light.falloff == TL_FALLOFF_LINEAR && i % 3 != 0)
+            light.begin = light.range * (i % 3 == 1 ? 0.5f : 0.9f);
         if (i % 10 == 0)
             light.type = TL_LIGHT_DIRECTIONAL;
         if (i % 10 == 1) {
             light.range = INFINITY;
+            light.begin = 0.0f;
             light.falloff = TL_FALLOFF_INVERSE_SQUARE;
         }
         ASSERT_OK(tl_light_set_add(lights, &light, &err), err);
@@ -213,7 +224,10 @@ static void add_lights(const tl_camera *camera, tl_light_set *lights)
     }
 }
 
-static void assert_frame(const arithmetic *by, uint32_t present, tl_projection projection)
+static void assert_frame(const arithmetic *by,
+                         uint32_t present,
+                         tl_projection projection,
+                         enum tl_shading_model model)
 {
     const tl_camera camera = camera_of(WIDTH, HEIGHT, projection);
     const tl_lighting_options options = {.precision = by->precision, .tile_size = 16};
@@ -221,6 +235,7 @@ static void assert_frame(const arithmetic *by, uint32_t present, tl_projection p
     tl_image *got = image_like(g);
     tl_light_set lights = {0};
     add_lights(&camera, &lights);
+    lights.model = model;
     light_frame(NULL, &options, g, &lights, got);
     for (uint32_t i = 0; i < WIDTH * HEIGHT; i++) {
         const uint32_t x = i % WIDTH, y = i / WIDTH;
@@ -249,10 +264,11 @@ static const uint32_t scenes[] = {
 
 static void equations_hold(const arithmetic *by)
 {
-    for (size_t i = 0; i < COUNT_OF(scenes); i++) {
-        assert_frame(by, scenes[i], TL_PERSPECTIVE);
-        assert_frame(by, scenes[i], TL_ORTHOGRAPHIC);
-    }
+    for (size_t i = 0; i < COUNT_OF(scenes); i++)
+        for (int model = 0; model < TL_MODEL_COUNT; model++) {
+            assert_frame(by, scenes[i], TL_PERSPECTIVE, (enum tl_shading_model)model);
+            assert_frame(by, scenes[i], TL_ORTHOGRAPHIC, (enum tl_shading_model)model);
+        }
 }
 
 static void equations_hold_for_the_reference(void **state)
@@ -274,13 +290,19 @@ static void one_light_by_hand(void **state)
     static const double eye[3] = {0, 0, 0}, target[3] = {0, 0, -1}, up[3] = {0, 1, 0};
     static const struct {
         tl_falloff falloff;
-        float range, intensity, want; /* at 2 m, albedo 0.5 */
+        float range, begin, intensity, want; /* at 2 m, albedo 0.5 */
     } cases[] = {
-        {TL_FALLOFF_LINEAR, 4.0f, 1.0f, 0.25f},
-        {TL_FALLOFF_LINEAR, 2.0f, 1.0f, 0.0f},
-        {TL_FALLOFF_INVERSE_SQUARE, INFINITY, 8.0f, 1.0f},
-        {TL_FALLOFF_INVERSE_SQUARE, 4.0f, 8.0f, 0.9375f},
-        {TL_FALLOFF_INVERSE_SQUARE, 1.9f, 8.0f, 0.0f},
+        {TL_FALLOFF_LINEAR, 4.0f, 0.0f, 1.0f, 0.25f},
+        {TL_FALLOFF_LINEAR, 2.0f, 0.0f, 1.0f, 0.0f},
+        {TL_FALLOFF_LINEAR, 5.0f, 1.0f, 1.0f, 0.375f},
+        {TL_FALLOFF_LINEAR, 4.0f, 2.5f, 1.0f, 0.5f},
+        {TL_FALLOFF_LINEAR, 4.0f, 4.0f, 1.0f, 0.5f}, /* ends where it begins */
+        {TL_FALLOFF_LINEAR, 0x1.000002p1f, 0x1p1f, 1.0f, 0.5f},
+        {TL_FALLOFF_LINEAR, 2.0f, 2.0f, 1.0f, 0.0f},
+        {TL_FALLOFF_LINEAR, 2.0f, 1.0f, 1.0f, 0.0f},
+        {TL_FALLOFF_INVERSE_SQUARE, INFINITY, 0.0f, 8.0f, 1.0f},
+        {TL_FALLOFF_INVERSE_SQUARE, 4.0f, 0.0f, 8.0f, 0.9375f},
+        {TL_FALLOFF_INVERSE_SQUARE, 1.9f, 0.0f, 8.0f, 0.0f},
     };
     const tl_camera camera = tl_camera_look_at(eye, target, up, 1.0, 1, 1, 0.1, 10.0);
     const tl_lighting_options options = {.precision = TL_PRECISION_TWIN, .tile_size = 8};
@@ -297,6 +319,7 @@ static void one_light_by_hand(void **state)
         tl_light light = tl_light_default();
         light.falloff = cases[i].falloff;
         light.range = cases[i].range;
+        light.begin = cases[i].begin;
         light.intensity = cases[i].intensity;
         ASSERT_OK(tl_light_set_add(&lights, &light, &err), err);
         light_frame(NULL, &options, g, &lights, image);

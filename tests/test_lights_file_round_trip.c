@@ -53,6 +53,8 @@ static tl_light next_light(uint32_t *random)
     if (light.type != TL_LIGHT_DIRECTIONAL && next_random(random) >> 31) {
         light.range = next_awkward(random) + FLT_MIN;
         light.falloff = (tl_falloff)((next_random(random) >> 16) % TL_FALLOFF_COUNT);
+        if (light.falloff == TL_FALLOFF_LINEAR && next_random(random) >> 31)
+            light.begin = fminf(next_awkward(random), light.range);
     }
     if (light.type == TL_LIGHT_SPOT) {
         light.outer_cone = (float)(next_random(random) >> 8) * 0x1p-23f;
@@ -68,6 +70,7 @@ static void assert_same_lights(const tl_light_set *a, const tl_light_set *b)
     assert_int_equal(a->count, b->count);
     assert_memory_equal(a->ambient, b->ambient, sizeof a->ambient);
     assert_memory_equal(a->sky, b->sky, sizeof a->sky);
+    assert_int_equal(a->model, b->model);
     for (size_t i = 0; i < a->count; i++) {
         assert_string_equal(a->lights[i].name, b->lights[i].name);
         if (memcmp(&a->lights[i], &b->lights[i], offsetof(tl_light, name)) != 0)
@@ -81,6 +84,7 @@ static void bit_for_bit(void **state)
     tl_error err;
     tl_light_set set = {.ambient = {0.1f, 1e-40f, 3.0f}, .sky = {0.7f, 0.0f, 1e29f}},
                  back = {0};
+    set.model = TL_MODEL_BLINN_PHONG_NORMALIZED;
     uint32_t random = 1;
     char *text = NULL;
     for (int i = 0; i < 3000; i++) {
@@ -136,10 +140,12 @@ static void meaning(void **state)
     static const char text[] =
         "{ \"tilelight\": 1, \"ambient\": [0.02, 0.5, 1],\n"
         "  \"sky\": { \"type\": \"constant\", \"color\": [0.1, 0.2, 4] },\n"
+        "  \"materials\": { \"model\": \"blinn-phong-normalized\" },\n"
         "  \"lights\": [\n"
         "    { \"type\": \"directional\", \"direction\": [0, -3, 4], \"castsShadow\": false "
         "},\n"
-        "    { \"type\": \"point\", \"position\": [1, 2, 3], \"range\": 5, \"ambient\": 0,\n"
+        "    { \"type\": \"point\", \"position\": [1, 2, 3], \"range\": 5, \"begin\": 1.5, "
+        "\"ambient\": 0,\n"
         "      \"falloff\": \"linear\", \"diffuse\": 0.5, \"specular\": 0, \"name\": \"lamp\" "
         "},\n"
         "    { \"type\": \"spot\", \"position\": [0, 4, 0], \"direction\": [0, -1, 0],\n"
@@ -150,11 +156,13 @@ static void meaning(void **state)
     tl_error err;
     tl_light_set set = {0},
                  wanted = {.ambient = {0.02f, 0.5f, 1.0f}, .sky = {0.1f, 0.2f, 4.0f}};
+    wanted.model = TL_MODEL_BLINN_PHONG_NORMALIZED;
     tl_light sun = tl_light_default(), lamp = tl_light_default(), spot = tl_light_default();
     sun.type = TL_LIGHT_DIRECTIONAL;
     memcpy(sun.direction, (float[]){0.0f, -0.6f, 0.8f}, sizeof sun.direction);
     memcpy(lamp.position, (float[]){1.0f, 2.0f, 3.0f}, sizeof lamp.position);
     lamp.range = 5.0f;
+    lamp.begin = 1.5f;
     lamp.falloff = TL_FALLOFF_LINEAR;
     lamp.diffuse = 0.5f;
     lamp.specular = 0.0f;

@@ -3,6 +3,11 @@
 #define TL_BASELINE_TABLES_H
 
 #include "baselines.h"
+#include "needs.h"
+
+/* Fails with TL_ERR_UNSUPPORTED where the frame has another shading model than Phong's, or a falloff
+ * outside these: bits 1 << row of kernels/falloff.h. */
+tl_status tl_baseline_check(const tl_needs *needs, uint32_t falloffs, tl_error *err);
 
 tl_status hand_create_exact(const tl_baseline_input *input, void **out, tl_error *err);
 tl_status hand_create_relaxed(const tl_baseline_input *input, void **out, tl_error *err);

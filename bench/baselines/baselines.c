@@ -84,6 +84,15 @@ const tl_baseline *const tl_baselines[] = {
 };
 const int tl_baseline_count = sizeof tl_baselines / sizeof tl_baselines[0];
 
+tl_status tl_baseline_check(const tl_needs *needs, uint32_t falloffs, tl_error *err)
+{
+    if (needs->model != TL_MODEL_PHONG)
+        return tl_fail(err, TL_ERR_UNSUPPORTED, "knows the shading model phong alone");
+    if (needs->falloffs & ~falloffs)
+        return tl_fail(err, TL_ERR_UNSUPPORTED, "knows no linear falloff that begins later");
+    return TL_OK;
+}
+
 const tl_baseline *tl_baseline_find(const char *name)
 {
     for (int i = 0; i < tl_baseline_count; i++)

@@ -147,6 +147,7 @@ tl_status classic_create(const tl_baseline_input *input, void **out, tl_error *e
     c->device = input->device;
     c->gbuffer = input->gbuffer;
     TRY(tl_prepare(input->gbuffer, input->lights, TILE, 1, 0.0f, NULL, &c->prepared, err));
+    TRY(tl_baseline_check(&c->prepared.needs, ~0u, err));
     TRY(upload(c, err));
     TRY(make_program(c, err));
     TRY(check_lists(c, err));

@@ -87,6 +87,7 @@ static tl_status create(const tl_baseline_input *input,
     h->code = code;
     h->worker_count = tl_thread_count();
     TRY(tl_prepare(input->gbuffer, input->lights, HAND_TILE, 1, 0.0f, NULL, &h->prepared, err));
+    TRY(tl_baseline_check(&h->prepared.needs, ~0u, err));
     open_ranges(&h->prepared);
     const tl_frame *f = &h->prepared.frame;
     h->boxes = calloc((size_t)f->tiles_x * f->tiles_y, sizeof *h->boxes);

@@ -39,6 +39,12 @@ LANES_INLINE lanes fade(const tl_view_light *light,
 {
     if (light->falloff == TL_FADE_LINEAR)
         return larger(fused_from(distance, all(light->fade), all(1.0f)), all(0.0f));
+    if (falloff_row(light->falloff) == TL_FADE_LINEAR_FROM) {
+        float offset;
+        memcpy(&offset, &light->falloff, sizeof offset);
+        const lanes weight = fused_from(distance, all(light->fade), all(offset));
+        return larger(smaller(weight, all(1.0f)), all(0.0f));
+    }
     const lanes share = distance2 * light->fade;
     const lanes window = fused_from(share, share, all(1.0f));
     return larger(window, all(0.0f)) * smaller(per_distance * per_distance, all(1e4f));

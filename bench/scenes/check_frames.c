@@ -15,7 +15,9 @@ enum {
     MIXED = 8,     /* both falloffs, a sun, a lamp without a range, ambient light, a sky */
     EDGES = 16,  /* lights that reach a pixel, or stand above its surface, to within rounding */
     CUTOFF = 32, /* lights without a range, which a cutoff ends while they are bright */
-    ALL_SKY = 64
+    ALL_SKY = 64,
+    LATER = 128,     /* half of the linear falloffs begin at a distance, some where they end */
+    NORMALIZED = 256 /* lit by the model blinn-phong-normalized */
 };
 
 #define PHONG (TL_GROUP_BASE | TL_GROUP_PHONG)
@@ -48,6 +50,12 @@ static const check_frame frames[] = {
      MIXED | STRETCHED},
     {"peaks", "exponents from 0 to 10000, lights in highlights", "wall", 64, 48, 120, 4.0,
      PHONG, MIXED | PEAKS},
+    {"later", "linear falloffs that begin at a distance, some where they end", "spheres", 67,
+     45, 60, 4.0, PHONG, MIXED | LATER},
+    {"normalized", "the model blinn-phong-normalized, exponents from 0 to 10000", "wall", 64,
+     40, 100, 4.0, PHONG, MIXED | PEAKS | LATER | NORMALIZED},
+    {"normalized-metal", "the same model on metallic and roughness", "spheres", 51, 37, 60, 4.0,
+     METAL | ALL_EXTRAS, MIXED | NORMALIZED},
     {"edges", "lights whose range ends at a pixel, in the plane of its surface, or 5 mm off it",
      "wall", 48, 33, 120, 1.0, PHONG, EDGES},
     {"cutoff", "lights without a range, ended by a cutoff where they are bright", "wall", 50,
@@ -207,6 +215,17 @@ done:
     return status;
 }
 
+static void begin_later(tl_light_set *lights)
+{
+    uint32_t seed = 521288629u;
+    for (size_t i = 1; i < lights->count; i += 2) {
+        tl_light *light = &lights->lights[i];
+        if (light->falloff == TL_FALLOFF_LINEAR)
+            light->begin =
+                i % 10 == 1 ? light->range : light->range * (float)random_number(&seed);
+    }
+}
+
 /* Some pixel: its point and its normal, world space. */
 static void some_surface(const tl_gbuffer *g, uint32_t *seed, double point[3], double normal[3])
 {
@@ -344,6 +363,10 @@ tl_status tl_check_frame_make(int index, tl_checked_frame *out, tl_error *err)
     TRY(tl_scene_lights(made.gbuffer, &options, &made.lights, err));
     if (row->traits & MIXED)
         TRY(mix_lights(&made.lights, err));
+    if (row->traits & LATER)
+        begin_later(&made.lights);
+    if (row->traits & NORMALIZED)
+        made.lights.model = TL_MODEL_BLINN_PHONG_NORMALIZED;
     if (row->traits & (EDGES | CUTOFF | PEAKS))
         move_lights(row, made.gbuffer, &made.lights);
     if (row->traits & ALL_SKY)

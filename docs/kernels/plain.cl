@@ -48,6 +48,8 @@ float weight_at(tl_view_light light, float distance)
 {
     const float share = distance * distance * light.fade;
     const float near_one = fmax(distance, 0.01f); // a light is 1 cm in size
+    if (light.falloff >= TL_FADE_COUNT) // linear from a distance on: a second number stands there
+        return clamp(as_float(light.falloff) - distance * light.fade, 0.0f, 1.0f);
     switch (light.falloff) {
     case TL_FADE_LINEAR: return fmax(1.0f - distance * light.fade, 0.0f);
     case TL_FADE_INVERSE_SQUARE: return fmax(1.0f - share * share, 0.0f) / (near_one * near_one);
@@ -95,6 +97,9 @@ __kernel void plain(const tl_frame frame,
                 specular = 0.04f + metallic * (albedo - 0.04f);
                 exponent = 2.0f / fmax(alpha * alpha, 0.0001999600f) - 2.0f;
             }
+            const bool normalized = TL_MODEL == TL_MODEL_BLINN_PHONG_NORMALIZED;
+            if (normalized)
+                specular *= diffuse * ((exponent + 2.0f) / 8.0f);
 
             // Ambient light and emission, then light after light: first those that reach
             // everything, which no list has.
@@ -115,7 +120,9 @@ __kernel void plain(const tl_frame frame,
                 if (!(n_dot_l > 0.0f))
                     continue;
                 const float weight = weight_at(light, d);
-                const float lobe = TL_SPECULAR ? specular_lobe(n, l / d + eye, exponent) : 0.0f;
+                float lobe = TL_SPECULAR ? specular_lobe(n, l / d + eye, exponent) : 0.0f;
+                if (normalized)
+                    lobe *= n_dot_l;
                 out += diffuse * (float3)(light.diffuse[0], light.diffuse[1], light.diffuse[2]) * (weight * n_dot_l);
                 out += specular * (float3)(light.specular[0], light.specular[1], light.specular[2]) * (weight * lobe);
             }

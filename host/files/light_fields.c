@@ -16,6 +16,7 @@ const tl_light_field tl_light_fields[TL_LIGHT_FIELD_COUNT] = {
     {"color", TL_FIELD_VECTOR, offsetof(tl_light, color), ANY, false},
     {"intensity", TL_FIELD_NUMBER, offsetof(tl_light, intensity), ANY, false},
     {"range", TL_FIELD_NUMBER, offsetof(tl_light, range), PLACED, false},
+    {"begin", TL_FIELD_NUMBER, offsetof(tl_light, begin), PLACED, false},
     {"falloff", TL_FIELD_FALLOFF, offsetof(tl_light, falloff), PLACED, false},
     {"diffuse", TL_FIELD_NUMBER, offsetof(tl_light, diffuse), ANY, false},
     {"specular", TL_FIELD_NUMBER, offsetof(tl_light, specular), ANY, false},
@@ -27,6 +28,12 @@ const char *const tl_light_type_words[TL_LIGHT_TYPE_COUNT] = {
 #define TYPE_WORD(name, word) [name] = word,
     TL_LIGHT_TYPES(TYPE_WORD)
 #undef TYPE_WORD
+};
+
+const char *const tl_model_words[TL_MODEL_COUNT] = {
+#define MODEL_WORD(name, word, factors, source) [name] = word,
+    TL_MODELS(MODEL_WORD)
+#undef MODEL_WORD
 };
 
 const char *const tl_falloff_words[TL_FALLOFF_COUNT] = {

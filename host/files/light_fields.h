@@ -26,12 +26,13 @@ typedef struct tl_light_field {
     bool is_required; /* by those types; else tl_light_default has the default */
 } tl_light_field;
 
-enum { TL_LIGHT_FIELD_COUNT = 11 };
+enum { TL_LIGHT_FIELD_COUNT = 12 };
 
 /* `type` itself is not among them: it decides which of them apply. */
 extern const tl_light_field tl_light_fields[TL_LIGHT_FIELD_COUNT];
 
 extern const char *const tl_light_type_words[TL_LIGHT_TYPE_COUNT];
 extern const char *const tl_falloff_words[TL_FALLOFF_COUNT];
+extern const char *const tl_model_words[TL_MODEL_COUNT];
 
 #endif

@@ -38,7 +38,7 @@ static const struct {
     enum { NEVER, IF_FALSE, IF_ZERO } harmless;
 } later_fields[] = {
     {"ambient", IF_ZERO}, {"castsShadow", IF_FALSE}, {"texture", NEVER},
-    {"lut", NEVER},       {"begin", NEVER},          {"group", NEVER},
+    {"lut", NEVER},       {"group", NEVER},
 };
 enum { LATER_COUNT = sizeof later_fields / sizeof later_fields[0] };
 
@@ -325,16 +325,27 @@ static tl_status read_version(const place *at, json_t *value, tl_light_set *set,
     return TL_OK;
 }
 
-static tl_status refuse_materials(const place *at,
-                                  json_t *value,
-                                  tl_light_set *set,
-                                  tl_error *err)
+static tl_status read_materials(const place *at,
+                                json_t *materials,
+                                tl_light_set *set,
+                                tl_error *err)
 {
-    (void)value;
-    (void)set;
-    return tl_fail(err, TL_ERR_UNSUPPORTED,
-                   "%s: \"materials\" are not supported by this version; remove them",
-                   at->source);
+    static const char *const words[] = {"model"};
+    tl_status status = TL_OK;
+    const place inside = {.source = at->source, .light = " materials:"};
+    const char *key;
+    json_t *value;
+    int index = set->model;
+    if (!json_is_object(materials))
+        TRY(tl_fail(err, TL_ERR_FORMAT, "%s: \"materials\" must be an object", at->source));
+    json_object_foreach(materials, key, value) if (strcmp(key, "model") != 0)
+        TRY(unknown_field(&inside, key, words, 1, err));
+    value = json_object_get(materials, "model");
+    if (value)
+        TRY(read_word(&inside, "model", value, tl_model_words, TL_MODEL_COUNT, &index, err));
+    set->model = (enum tl_shading_model)index;
+done:
+    return status;
 }
 
 static tl_status read_top(const char *source, json_t *root, tl_light_set *set, tl_error *err)
@@ -346,7 +357,7 @@ static tl_status read_top(const char *source, json_t *root, tl_light_set *set, t
                    {"ambient", read_ambient},
                    {"sky", read_sky},
                    {"lights", read_lights},
-                   {"materials", refuse_materials}};
+                   {"materials", read_materials}};
     enum { MEMBER_COUNT = sizeof members / sizeof members[0] };
     tl_status status = TL_OK;
     const place at = {.source = source};

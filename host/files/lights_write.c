@@ -94,6 +94,8 @@ static void print_set(FILE *out, const tl_light_set *set)
     print_vector(out, set->ambient);
     fputs(",\n  \"sky\": { \"type\": \"constant\", \"color\": ", out);
     print_vector(out, set->sky);
+    if (set->model != (enum tl_shading_model)0)
+        fprintf(out, " },\n  \"materials\": { \"model\": \"%s\"", tl_model_words[set->model]);
     fputs(" },\n  \"lights\": [", out);
     for (size_t i = 0; i < set->count; i++) {
         fputs(i == 0 ? "\n" : ",\n", out);

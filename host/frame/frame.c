@@ -63,6 +63,17 @@ static double cutoff_range(const tl_light *light, float cutoff)
     return sqrt(most * (double)light->intensity / (double)cutoff);
 }
 
+/* Between begin and range, kernels/falloff.h's linear-from. Its offset is 2^24 at most, for both are
+ * floats; a fade beyond floats is a step, as where they are the same. */
+static void fade_from(const tl_light *light, tl_view_light *v)
+{
+    const double range = (double)light->range, width = range - (double)light->begin;
+    const int is_step = !(width > 1.0 / (double)FLT_MAX);
+    const float offset = is_step ? 1.0f : (float)(range / width);
+    v->fade = is_step ? 0.0f : (float)(1.0 / width);
+    memcpy(&v->falloff, &offset, sizeof v->falloff);
+}
+
 static tl_view_light point(const tl_camera *camera, const tl_light *light, float cutoff)
 {
     const int linear = light->falloff == TL_FALLOFF_LINEAR;
@@ -77,6 +88,8 @@ static tl_view_light point(const tl_camera *camera, const tl_light *light, float
         const double range = (double)light->range;
         v.range2 = finite_square(range);
         v.fade = linear ? finite_reciprocal(range) : finite_reciprocal(range * range);
+        if (linear && light->begin > 0.0f)
+            fade_from(light, &v);
     } else if (cutoff > 0.0f) {
         v.range2 = finite_square(cutoff_range(light, cutoff));
     }
@@ -102,7 +115,7 @@ static void collect(const tl_camera *camera,
         const tl_view_light v = light->type == TL_LIGHT_DIRECTIONAL
                                     ? directional(camera, light)
                                     : point(camera, light, cutoff);
-        prepared->needs.falloffs |= 1u << v.falloff;
+        prepared->needs.falloffs |= 1u << falloff_row(v.falloff);
         prepared->needs.specular |=
             v.specular[0] > 0.0f || v.specular[1] > 0.0f || v.specular[2] > 0.0f;
         prepared->sources[prepared->frame.light_count] = (uint32_t)i;
@@ -182,6 +195,7 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
     prepared->frame.box_count = box_count;
     prepared->needs = (tl_needs){.present = gbuffer->present,
                                  .layout = gbuffer->layout,
+                                 .model = lights->model,
                                  .orthographic = gbuffer->camera.projection == TL_ORTHOGRAPHIC};
     collect(&gbuffer->camera, lights, light_cutoff, 1, prepared);
     collect(&gbuffer->camera, lights, light_cutoff, 0, prepared);

@@ -134,7 +134,8 @@ static tl_kernel_options kernel_options(const tl_lighting *lighting)
                                .layout = needs->layout,
                                .present = needs->present,
                                .specular = needs->specular,
-                               .falloffs = needs->falloffs};
+                               .falloffs = needs->falloffs,
+                               .model = needs->model};
 }
 
 static tl_status run_on_device(tl_lighting *lighting,

@@ -178,6 +178,16 @@ static interval linear_weight(interval distance, double fade)
                       clamp_low(1.0 - share.low * (1.0 - U) + U)};
 }
 
+/* offset - d fade falls with d, cut at 0 and 1: the product rounds, and the sum, which is of no matter
+ * above 1. */
+static interval linear_from_weight(interval distance, double fade, tl_u32 offset_bits)
+{
+    const double offset = WORD_AS_REAL(offset_bits);
+    const double low = offset - distance.high * fade * (1.0 + U) - U;
+    const double high = offset - distance.low * fade * (1.0 - U) + U;
+    return (interval){clamp_low(low < 1.0 ? low : 1.0), clamp_low(high < 1.0 ? high : 1.0)};
+}
+
 /* max(0, 1 - (d2 fade)^2) falls with d2: 3u in the square, u in the difference. 1/d^2, from 1/d:
  * root, division and square beyond what d2 is off, 23u; cut where the light is near. */
 static interval inverse_square_weight(interval distance2, double fade)
@@ -201,6 +211,8 @@ static interval weight_of(tl_view_light light, const way *w)
         return one;
     if (light.falloff == TL_FADE_LINEAR)
         return linear_weight(w->distance, (double)light.fade);
+    if (falloff_row(light.falloff) == TL_FADE_LINEAR_FROM)
+        return linear_from_weight(w->distance, (double)light.fade, light.falloff);
     return inverse_square_weight(w->distance2, (double)light.fade);
 }
 
@@ -315,11 +327,21 @@ typedef struct rough_light {
 } rough_light;
 
 /* Weight, cosine, colour: two products, and one more where a kernel multiplies the material in at
- * once. */
-static interval product(interval a, interval b, double colour)
+ * once. Where one colour multiplies both lobes, a kernel may add them before: a sum, and a product. */
+static interval product(tl_needs needs, interval a, interval b, double colour)
 {
-    return (interval){a.low * b.low * colour * (1.0 - 3.0 * U),
-                      a.high * b.high * colour * (1.0 + 3.0 * U) + flushed * colour};
+    const double roundings = lobe_has(needs, TL_LOBE_DIFFUSE) ? 5.0 : 3.0;
+    return (interval){a.low * b.low * colour * (1.0 - roundings * U),
+                      a.high * b.high * colour * (1.0 + roundings * U) + flushed * colour};
+}
+
+/* What the lobe's light is multiplied by: the weight, and where the model says so the cosine. */
+static interval shown_to_lobe(tl_needs needs, interval weight, interval cosine)
+{
+    if (!lobe_has(needs, TL_LOBE_COSINE))
+        return weight;
+    return (interval){weight.low * cosine.low * (1.0 - U),
+                      weight.high * cosine.high * (1.0 + U) + flushed};
 }
 
 static rough_light light_on(const tl_prepared *prepared,
@@ -339,13 +361,15 @@ static rough_light light_on(const tl_prepared *prepared,
         return out;
     static const interval none = {0.0, 0.0};
     const interval weight = weight_of(light, &w);
+    const interval shown = shown_to_lobe(prepared->needs, weight, n_dot_l.cosine);
     const interval lobe = prepared->needs.specular ? lobe_of(s, &w, form) : none;
     out.may_add = 1;
     out.is_certain = w.does_reach && n_dot_l.is_above;
     out.n_dot_l = n_dot_l.exact;
     for (int i = 0; i < 3; i++) {
-        out.diffuse[i] = product(weight, n_dot_l.cosine, (double)light.diffuse[i]);
-        out.specular[i] = product(weight, lobe, (double)light.specular[i]);
+        out.diffuse[i] =
+            product(prepared->needs, weight, n_dot_l.cosine, (double)light.diffuse[i]);
+        out.specular[i] = product(prepared->needs, shown, lobe, (double)light.specular[i]);
         if (!out.is_certain)
             out.diffuse[i].low = out.specular[i].low = 0.0;
     }
@@ -364,6 +388,25 @@ static interval around(double value, double error)
     return (interval){clamp_low(value - error), value + error};
 }
 
+/* (e + 2)/8, two roundings, and its product; the product with the diffuse colour. */
+static interval lobe_factors(tl_needs needs,
+                             double exponent,
+                             interval specular,
+                             interval diffuse)
+{
+    interval out = specular;
+    if (lobe_has(needs, TL_LOBE_ENERGY)) {
+        const interval e = exponent_of(needs, exponent);
+        out.low *= (e.low + 2.0) / 8.0 * (1.0 - 3.0 * U);
+        out.high *= (e.high + 2.0) / 8.0 * (1.0 + 3.0 * U);
+    }
+    if (lobe_has(needs, TL_LOBE_DIFFUSE)) {
+        out.low *= diffuse.low * (1.0 - U);
+        out.high *= diffuse.high * (1.0 + U);
+    }
+    return out;
+}
+
 static rough_material rough_material_of(tl_needs needs, pixel in)
 {
     const phong_material m = material_of(needs, in);
@@ -374,8 +417,11 @@ static rough_material rough_material_of(tl_needs needs, pixel in)
     rough_material out = {.exponent = m.shininess};
     for (int i = 0; i < 3; i++) {
         out.diffuse[i] = around(diffuse[i], mixed ? 2.0 * U * diffuse[i] : 0.0);
-        out.specular[i] = around(
-            specular[i], mixed ? 4.0 * U * (TL_DIELECTRIC + base[i] * in.metallic) : 0.0);
+        out.specular[i] = lobe_factors(
+            needs, m.shininess,
+            around(specular[i],
+                   mixed ? 4.0 * U * (TL_DIELECTRIC + base[i] * in.metallic) : 0.0),
+            out.diffuse[i]);
     }
     return out;
 }

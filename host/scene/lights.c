@@ -112,6 +112,17 @@ static tl_status check_range(const tl_light *light,
         return tl_fail(err, TL_ERR_FORMAT,
                        "%s: lights[%zu] \"%s\": range is %g m, it must be above 0", source,
                        index, light->name, (double)light->range);
+    if (!(light->begin >= 0.0f && light->begin <= light->range))
+        return tl_fail(
+            err, TL_ERR_FORMAT,
+            "%s: lights[%zu] \"%s\": begin is %g m, it must be from 0 to the range, %g", source,
+            index, light->name, (double)light->begin, (double)light->range);
+    if (light->falloff != TL_FALLOFF_LINEAR && light->begin > 0.0f)
+        return tl_fail(
+            err, TL_ERR_FORMAT,
+            "%s: lights[%zu] \"%s\": begin is for a linear falloff; remove it, or say "
+            "\"falloff\": \"linear\"",
+            source, index, light->name);
     if (light->falloff == TL_FALLOFF_LINEAR && isinf(light->range))
         return tl_fail(err, TL_ERR_FORMAT,
                        "%s: lights[%zu] \"%s\": a linear falloff needs a range", source, index,
@@ -143,6 +154,9 @@ tl_status tl_light_set_check(const tl_light_set *set, const char *source, tl_err
             return tl_fail(err, TL_ERR_FORMAT,
                            "%s: ambient and sky colours must be finite and not negative",
                            source);
+    if ((unsigned)set->model >= TL_MODEL_COUNT)
+        return tl_fail(err, TL_ERR_FORMAT, "%s: there is no shading model %u", source,
+                       (unsigned)set->model);
     for (size_t i = 0; i < set->count; i++) {
         tl_status status = check_numbers(&set->lights[i], i, source, err);
         if (status == TL_OK)

@@ -3,6 +3,7 @@
 #define TL_LIGHTS_H
 
 #include "camera.h"
+#include "models.h"
 #include "report.h"
 
 #include <stddef.h>
@@ -45,6 +46,7 @@ typedef struct tl_light {
     float color[3];     /* linear Rec. 709, >= 0 */
     float intensity;    /* cd for point and spot, lx for directional, >= 0 */
     float range;        /* m, > 0; INFINITY reaches everything. Linear needs a finite one */
+    float begin;        /* m, 0 to range: linear falls from here on; 0 for the others */
     float diffuse, specular;      /* scales of the two lobes, >= 0 */
     float inner_cone, outer_cone; /* half-angles in radians, 0 <= inner <= outer <= pi; spot */
     char name[64];                /* for messages; may be empty */
@@ -52,8 +54,9 @@ typedef struct tl_light {
 
 /* lights is owned by the set; release with tl_light_set_clear. All zero is a valid empty set. */
 typedef struct tl_light_set {
-    float ambient[3]; /* linear Rec. 709; multiplies albedo and occlusion */
-    float sky[3];     /* radiance of pixels where nothing was hit */
+    float ambient[3];            /* linear Rec. 709; multiplies albedo and occlusion */
+    float sky[3];                /* radiance of pixels where nothing was hit */
+    enum tl_shading_model model; /* how surfaces reflect */
     size_t count, capacity;
     tl_light *lights; /* [count] */
 } tl_light_set;
