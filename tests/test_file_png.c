@@ -60,7 +60,7 @@ static void ours_come_back(void **state)
         tl_error err;
         tl_image *image = NULL;
         uint8_t *rgb = make_rgb(width, height);
-        ASSERT_OK(tl_png_write(path, rgb, width, height, &err), err);
+        ASSERT_OK(tl_png_write(path, rgb, width, height, TL_CURVE_SRGB, &err), err);
         ASSERT_OK(tl_image_read(path, &image, NULL, &err), err);
         assert_int_equal(image->width, width);
         assert_int_equal(image->height, height);
@@ -88,7 +88,7 @@ static void ours_say_srgb(void **state)
     int found = 0;
     uint8_t *rgb = make_rgb(3, 2);
     scratch_path(path, sizeof path, "srgb.png");
-    ASSERT_OK(tl_png_write(path, rgb, 3, 2, &err), err);
+    ASSERT_OK(tl_png_write(path, rgb, 3, 2, TL_CURVE_SRGB, &err), err);
     unsigned char *bytes = load_bytes(path, &size);
     assert_memory_equal(bytes + 8, header, sizeof header);
     for (size_t i = 0; i + sizeof srgb <= size; i++)
@@ -162,7 +162,8 @@ static void others_are_refused(void **state)
                    neither);
     assert_refused("folder", tl_image_read("/", &image, NULL, &err), TL_ERR_READ, &err, folder);
     own_device(full, sizeof full, "png_full", 7);
-    assert_refused("full", tl_png_write(full, rgb, 1, 1, &err), TL_ERR_WRITE, &err, full_words);
+    assert_refused("full", tl_png_write(full, rgb, 1, 1, TL_CURVE_SRGB, &err), TL_ERR_WRITE,
+                   &err, full_words);
     remove_device(full);
     assert_null(image);
     remove(path);

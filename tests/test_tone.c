@@ -1,4 +1,4 @@
-/* Do pictures come out as exposure, tone curve and sRGB say, to the nearest of 256 values? */
+/* Do pictures come out as exposure, tone curve and the curve of the codes say, rounded as that says? */
 #define _POSIX_C_SOURCE 200809L
 #include "testing.h"
 
@@ -8,38 +8,46 @@
 
 static const struct {
     const char *name;
-    tl_tone tone;
+    tl_look look;
     float exposure;
 } settings[] = {
-    {"aces", TL_TONE_ACES, 0.0f},
-    {"aces, 3.7 stops", TL_TONE_ACES, 3.7f},
-    {"aces, -40 stops", TL_TONE_ACES, -40},
-    {"reinhard", TL_TONE_REINHARD, 0.0f},
-    {"reinhard, -5.3", TL_TONE_REINHARD, -5.3f},
-    {"none", TL_TONE_NONE, 0.0f},
-    {"none, 60 stops", TL_TONE_NONE, 60.0f},
+    {"aces", {TL_TONE_ACES, TL_CURVE_SRGB}, 0.0f},
+    {"aces, 3.7 stops", {TL_TONE_ACES, TL_CURVE_SRGB}, 3.7f},
+    {"aces, -40 stops", {TL_TONE_ACES, TL_CURVE_SRGB}, -40},
+    {"reinhard", {TL_TONE_REINHARD, TL_CURVE_SRGB}, 0.0f},
+    {"reinhard, -5.3", {TL_TONE_REINHARD, TL_CURVE_SRGB}, -5.3f},
+    {"none", {TL_TONE_NONE, TL_CURVE_SRGB}, 0.0f},
+    {"none, 60 stops", {TL_TONE_NONE, TL_CURVE_SRGB}, 60.0f},
+    {"none, gamma 2.2", {TL_TONE_NONE, TL_CURVE_GAMMA_22}, 0.0f},
+    {"none, gamma 2.2, 1.3 stops", {TL_TONE_NONE, TL_CURVE_GAMMA_22}, 1.3f},
+    {"aces, gamma 2.2", {TL_TONE_ACES, TL_CURVE_GAMMA_22}, -0.7f},
 };
 
 /* From the published formulas, worked out apart; beside each the value before rounding. */
 static const struct {
-    tl_tone tone;
+    tl_look look;
     float radiance, exposure;
     uint8_t expected;
 } published[] = {
-    {TL_TONE_ACES, 0.001f, 0.0f, 1},      /* 0.7618 */
-    {TL_TONE_ACES, 0.18f, 0.0f, 141},     /* 141.1317 */
-    {TL_TONE_ACES, 1.0f, 0.0f, 232},      /* 231.5988 */
-    {TL_TONE_ACES, 3.0f, -2.0f, 223},     /* 222.7190 */
-    {TL_TONE_ACES, 16.0f, 0.0f, 255},     /* cut at 1 */
-    {TL_TONE_REINHARD, 0.001f, 0.0f, 3},  /* 3.2913 */
-    {TL_TONE_REINHARD, 0.18f, 0.0f, 109}, /* 108.8713 */
-    {TL_TONE_REINHARD, 1.0f, 0.0f, 188},  /* 187.5160, of 1/2 */
-    {TL_TONE_REINHARD, 0.5f, 1.0f, 188},  /* the same by exposure */
-    {TL_TONE_REINHARD, 16.0f, 0.0f, 248}, /* 248.2895 */
-    {TL_TONE_NONE, 0.001f, 0.0f, 3},      /* 3.2946, on the straight part of sRGB */
-    {TL_TONE_NONE, 0.18f, 0.0f, 118},     /* 117.6458 */
-    {TL_TONE_NONE, 3.0f, -2.0f, 225},     /* 224.6104 */
-    {TL_TONE_NONE, 16.0f, 0.0f, 255},     /* cut at 1 */
+    {{TL_TONE_ACES, TL_CURVE_SRGB}, 0.001f, 0.0f, 1},      /* 0.7618 */
+    {{TL_TONE_ACES, TL_CURVE_SRGB}, 0.18f, 0.0f, 141},     /* 141.1317 */
+    {{TL_TONE_ACES, TL_CURVE_SRGB}, 1.0f, 0.0f, 232},      /* 231.5988 */
+    {{TL_TONE_ACES, TL_CURVE_SRGB}, 3.0f, -2.0f, 223},     /* 222.7190 */
+    {{TL_TONE_ACES, TL_CURVE_SRGB}, 16.0f, 0.0f, 255},     /* cut at 1 */
+    {{TL_TONE_REINHARD, TL_CURVE_SRGB}, 0.001f, 0.0f, 3},  /* 3.2913 */
+    {{TL_TONE_REINHARD, TL_CURVE_SRGB}, 0.18f, 0.0f, 109}, /* 108.8713 */
+    {{TL_TONE_REINHARD, TL_CURVE_SRGB}, 1.0f, 0.0f, 188},  /* 187.5160, of 1/2 */
+    {{TL_TONE_REINHARD, TL_CURVE_SRGB}, 0.5f, 1.0f, 188},  /* the same by exposure */
+    {{TL_TONE_REINHARD, TL_CURVE_SRGB}, 16.0f, 0.0f, 248}, /* 248.2895 */
+    {{TL_TONE_NONE, TL_CURVE_SRGB}, 0.001f, 0.0f, 3}, /* 3.2946, on the straight part of sRGB */
+    {{TL_TONE_NONE, TL_CURVE_SRGB}, 0.18f, 0.0f, 118},      /* 117.6458 */
+    {{TL_TONE_NONE, TL_CURVE_SRGB}, 3.0f, -2.0f, 225},      /* 224.6104 */
+    {{TL_TONE_NONE, TL_CURVE_SRGB}, 16.0f, 0.0f, 255},      /* cut at 1 */
+    {{TL_TONE_NONE, TL_CURVE_GAMMA_22}, 0.001f, 0.0f, 11},  /* 11.0364, cut down */
+    {{TL_TONE_NONE, TL_CURVE_GAMMA_22}, 0.18f, 0.0f, 116},  /* 116.9657 */
+    {{TL_TONE_NONE, TL_CURVE_GAMMA_22}, 3.0f, -2.0f, 223},  /* 223.7428 */
+    {{TL_TONE_NONE, TL_CURVE_GAMMA_22}, 0.999f, 0.0f, 254}, /* 254.8841 */
+    {{TL_TONE_NONE, TL_CURVE_GAMMA_22}, 1.0f, 0.0f, 255},
 };
 
 /* Independent of tone.c: the curves forwards, in long double, sRGB by its encoding formula. */
@@ -52,9 +60,12 @@ static long double curve(tl_tone tone, long double x)
     return y < 1 ? y : 1;
 }
 
-static int expected_code(tl_tone tone, float exposure, float radiance)
+static int expected_code(tl_look look, float exposure, float radiance)
 {
-    const long double y = curve(tone, (long double)radiance * exp2l((long double)exposure));
+    const long double y =
+        curve(look.tone, (long double)radiance * exp2l((long double)exposure));
+    if (look.curve == TL_CURVE_GAMMA_22)
+        return (int)floorl(255 * powl(y, 1 / 2.2L));
     const long double encoded =
         y <= 0.0031308L ? 12.92L * y : 1.055L * powl(y, 1 / 2.4L) - 0.055L;
     return (int)floorl(255 * encoded + 0.5L);
@@ -71,7 +82,7 @@ static long double inverse_curve(tl_tone tone, long double y)
 
 /* Codes of `count` greys, as one picture of one row. */
 static void encode_all(
-    const float *greys, uint32_t count, tl_tone tone, float exposure, uint8_t *codes)
+    const float *greys, uint32_t count, tl_look look, float exposure, uint8_t *codes)
 {
     static uint8_t rgb[3 * 16384];
     tl_image *image = NULL;
@@ -79,13 +90,22 @@ static void encode_all(
     ASSERT_OK(tl_image_create(count, 1, &image, &err), err);
     for (unsigned channel = 0; channel < 3; channel++)
         memcpy(tl_image_plane(image, channel), greys, count * sizeof *greys);
-    tl_image_to_srgb8(image, exposure, tone, rgb);
+    tl_image_to_rgb8(image, exposure, look, rgb);
     tl_image_destroy(image);
     for (size_t i = 0; i < count; i++) {
         codes[i] = rgb[3 * i];
         assert_int_equal(rgb[3 * i + 1], codes[i]);
         assert_int_equal(rgb[3 * i + 2], codes[i]);
     }
+}
+
+/* The display-linear value from which on the code is k + 1. */
+static long double step_above(tl_curve of, int k)
+{
+    const long double nearest = (k + 0.5L) / 255;
+    if (of == TL_CURVE_GAMMA_22)
+        return powl((k + 1) / 255.0L, 2.2L);
+    return nearest <= 0.04045L ? nearest / 12.92L : powl((nearest + 0.055L) / 1.055L, 2.4L);
 }
 
 static void every_threshold_is_exact(void **state)
@@ -95,21 +115,18 @@ static void every_threshold_is_exact(void **state)
     static uint8_t codes[COUNT];
     (void)state;
     for (size_t s = 0; s < COUNT_OF(settings); s++) {
-        const tl_tone tone = settings[s].tone;
+        const tl_look look = settings[s].look;
         for (int k = 0; k < 255; k++) {
-            const long double encoded = (k + 0.5L) / 255;
-            const long double y = encoded <= 0.04045L ? encoded / 12.92L
-                                                      : powl((encoded + 0.055L) / 1.055L, 2.4L);
-            float grey =
-                (float)(inverse_curve(tone, y) * exp2l(-(long double)settings[s].exposure));
+            float grey = (float)(inverse_curve(look.tone, step_above(look.curve, k)) *
+                                 exp2l(-(long double)settings[s].exposure));
             for (int i = 0; i < AROUND / 2; i++)
                 grey = nextafterf(grey, 0.0f);
             for (int i = 0; i < AROUND; i++, grey = nextafterf(grey, INFINITY))
                 greys[k * AROUND + i] = grey;
         }
-        encode_all(greys, COUNT, tone, settings[s].exposure, codes);
+        encode_all(greys, COUNT, look, settings[s].exposure, codes);
         for (int i = 0; i < COUNT; i++) {
-            const int expected = expected_code(tone, settings[s].exposure, greys[i]);
+            const int expected = expected_code(look, settings[s].exposure, greys[i]);
             if (codes[i] != expected)
                 fail_msg("%s, around %d + 1/2: %a gives %d, not %d", settings[s].name,
                          i / AROUND, (double)greys[i], codes[i], expected);
@@ -126,7 +143,7 @@ static void published_values_come_out(void **state)
     (void)state;
     for (size_t i = 0; i < COUNT_OF(published); i++) {
         uint8_t code;
-        encode_all(&published[i].radiance, 1, published[i].tone, published[i].exposure, &code);
+        encode_all(&published[i].radiance, 1, published[i].look, published[i].exposure, &code);
         if (code != published[i].expected)
             fail_msg("row %zu: %g gives %d, not %d", i, (double)published[i].radiance, code,
                      published[i].expected);
@@ -144,7 +161,7 @@ static void brighter_is_never_darker(void **state)
         memcpy(&greys[i], &bits, sizeof bits);
     }
     for (size_t s = 0; s < COUNT_OF(settings); s++) {
-        encode_all(greys, COUNT, settings[s].tone, settings[s].exposure, codes);
+        encode_all(greys, COUNT, settings[s].look, settings[s].exposure, codes);
         for (size_t i = 1; i < COUNT; i++)
             if (codes[i] < codes[i - 1])
                 fail_msg("%s: %a is darker than %a", settings[s].name, (double)greys[i],
@@ -162,16 +179,18 @@ static void special_values_are_black_or_white(void **state)
     static const float exposures[] = {0.0f, 20.0f, -20.0f};
     uint8_t codes[COUNT_OF(specials)];
     (void)state;
-    for (tl_tone tone = 0; tone < TL_TONE_COUNT; tone++)
+    for (unsigned l = 0; l < TL_TONE_COUNT * TL_CURVE_COUNT; l++)
         for (size_t e = 0; e < COUNT_OF(exposures); e++) {
-            encode_all(specials, COUNT_OF(specials), tone, exposures[e], codes);
+            const tl_look look = {(tl_tone)(l % TL_TONE_COUNT), (tl_curve)(l / TL_TONE_COUNT)};
+            encode_all(specials, COUNT_OF(specials), look, exposures[e], codes);
             for (size_t i = 0; i < COUNT_OF(specials); i++)
                 if (codes[i] != expected[i])
-                    fail_msg("curve %d, %g gives %d, not %d", (int)tone, (double)specials[i],
-                             codes[i], expected[i]);
+                    fail_msg("tone %d, curve %d, %g gives %d, not %d", (int)look.tone,
+                             (int)look.curve, (double)specials[i], codes[i], expected[i]);
         }
     /* So dark that no finite radiance is white. */
-    encode_all(specials, COUNT_OF(specials), TL_TONE_REINHARD, -1000.0f, codes);
+    encode_all(specials, COUNT_OF(specials), (tl_look){.tone = TL_TONE_REINHARD}, -1000.0f,
+               codes);
     assert_int_equal(codes[7], 255);
     assert_int_equal(codes[8], 0);
 }
@@ -234,13 +253,13 @@ static void threads_change_nothing(void **state)
     for (size_t i = 0; i < COUNT_OF(threads); i++) {
         setenv("TILELIGHT_THREADS", threads[i], 1);
         exposures[i] = tl_image_auto_exposure(image);
-        tl_image_to_srgb8(image, exposures[i], TL_TONE_ACES, rgb[i]);
+        tl_image_to_rgb8(image, exposures[i], (tl_look){0}, rgb[i]);
         assert_true(same_bits(exposures[i], exposures[0]));
         assert_memory_equal(rgb[i], rgb[0], sizeof rgb[0]);
     }
     for (size_t i = 0; i < 61 * 173; i += 17) { /* pixels stand where they should */
         const float red = tl_image_plane(image, 0)[i / 61 * image->pitch + i % 61];
-        assert_int_equal(rgb[0][3 * i], expected_code(TL_TONE_ACES, exposures[0], red));
+        assert_int_equal(rgb[0][3 * i], expected_code((tl_look){0}, exposures[0], red));
     }
     unsetenv("TILELIGHT_THREADS");
     tl_image_destroy(image);

@@ -66,7 +66,7 @@ static tl_status sample_ours(measuring *m,
     tl_timings timings = {0};
     TRY(light(&m->ours, frame, &timings, counts, err));
     const double start = tl_seconds();
-    tl_image_to_srgb8(frame->image, 0.0f, TL_TONE_ACES, frame->rgb);
+    tl_image_to_rgb8(frame->image, 0.0f, (tl_look){0}, frame->rgb);
     TRY(tl_samples_add(&m->post, milliseconds_since(start), err));
     if (counts->shade_wall_ms > 0.0)
         TRY(tl_samples_add(&m->processors, counts->shade_processor_ms / counts->shade_wall_ms,

@@ -85,25 +85,25 @@ tl_status job_repair(job *j, const char *name, bool strict, tl_error *err)
     return TL_OK;
 }
 
-tl_status job_read(
-    job *j, const char *path, const tl_import_options *import, bool strict, tl_error *err)
+tl_status job_read(job *j, const char *path, bool strict, tl_error *err)
 {
     tl_status status = TL_OK;
     const double start = tl_seconds();
-    const tl_capture_request request = {
-        .path = path, .notices = &console_notices, .import = import};
+    const tl_capture_request request = {.path = path, .notices = &console_notices};
     tl_captured captured = {0};
     console_stage("reading the G-buffer");
     TRY(tl_capture_read(&request, &captured, err));
     j->gbuffer = captured.gbuffer;
     j->lights_inside = captured.has_lights;
+    j->has_look = captured.has_look;
+    j->look = captured.look;
     captured.gbuffer = NULL;
     if (!j->lights_given) {
         j->lights = captured.lights;
         captured.lights = (tl_light_set){0};
     }
     tl_timings_end(&j->timings, "read", start);
-    TRY(job_repair(j, path ? path : "the capture", strict, err));
+    TRY(job_repair(j, path, strict, err));
 done:
     tl_captured_clear(&captured);
     return status;
@@ -142,8 +142,29 @@ static float choose_exposure(job *j, const picture_options *options)
     return chosen;
 }
 
+/* What of a capture's own look is not ours, and how to have ours. */
+static void tell_look(const job *j, const picture_options *options, tl_look look)
+{
+    static const tl_look ours = {0};
+    const bool tone = !options->tone_given && look.tone != ours.tone;
+    const bool curve = !options->curve_given && look.curve != ours.curve;
+    if (!j->has_look || (!tone && !curve))
+        return;
+    tl_notice(
+        &console_notices,
+        "the picture is shown as the capture's own program does, with tone %s and curve %s; "
+        "%s%s%s%s brings ours",
+        picture_tone_word(look.tone), picture_curve_word(look.curve), tone ? "--tone " : "",
+        tone ? picture_tone_word(ours.tone) : "",
+        tone && curve ? " --curve "
+        : curve       ? "--curve "
+                      : "",
+        curve ? picture_curve_word(ours.curve) : "");
+}
+
 /* The 8-bit picture is made once, however many PNGs there are. */
-static tl_status make_rgb(job *j, const picture_options *options, uint8_t **rgb, tl_error *err)
+static tl_status make_rgb(
+    job *j, const picture_options *options, tl_look look, uint8_t **rgb, tl_error *err)
 {
     const tl_image *image = j->image;
     if (*rgb)
@@ -153,7 +174,8 @@ static tl_status make_rgb(job *j, const picture_options *options, uint8_t **rgb,
     if (!*rgb)
         return tl_fail(err, TL_ERR_MEMORY, "out of memory for a picture of %u x %u pixels",
                        image->width, image->height);
-    tl_image_to_srgb8(image, choose_exposure(j, options), options->tone, *rgb);
+    tell_look(j, options, look);
+    tl_image_to_rgb8(image, choose_exposure(j, options), look, *rgb);
     tl_timings_end(&j->timings, "tone", start);
     return TL_OK;
 }
@@ -163,17 +185,18 @@ tl_status job_write_pictures(job *j, const picture_options *options, tl_error *e
     tl_status status = TL_OK;
     json_t *names = json_array();
     uint8_t *rgb = NULL;
+    const tl_look look = picture_look(options, j->has_look ? &j->look : NULL);
 
     console_stage("writing");
     for (int i = 0; i < options->count; i++) {
         const char *path = options->paths[i];
         if (options->kinds[i] != OUTPUT_EXR)
-            TRY(make_rgb(j, options, &rgb, err));
+            TRY(make_rgb(j, options, look, &rgb, err));
         const double start = tl_seconds();
         if (options->kinds[i] == OUTPUT_EXR)
             TRY(tl_image_write_exr(path, j->image, options->half, err));
         else
-            TRY(tl_png_write(path, rgb, j->image->width, j->image->height, err));
+            TRY(tl_png_write(path, rgb, j->image->width, j->image->height, look.curve, err));
         tl_timings_end(&j->timings, "write", start);
         json_array_append_new(names, json_string(path));
     }

@@ -49,6 +49,22 @@ static void report_counts(job *j, const tl_lighting_counts *c)
                          (json_int_t)c->pair_count));
 }
 
+/* Of lights that a file brought, not the user: which shading model came with them, where it is not ours. */
+static void tell_model(const job *j)
+{
+    static const char *const words[] = {
+#define MODEL_WORD(name, word, factors, source) [name] = word,
+        TL_MODELS(MODEL_WORD)
+#undef MODEL_WORD
+    };
+    if (!j->lights_given && j->lights.model != TL_MODEL_PHONG)
+        tl_notice(
+            &console_notices,
+            "lit by the shading model that came with the lights, %s; --lights FILE brings "
+            "others",
+            words[j->lights.model]);
+}
+
 tl_status job_light(job *j, const lighting_choice *choice, tl_device *device, tl_error *err)
 {
     tl_status status = TL_OK;
@@ -58,6 +74,7 @@ tl_status job_light(job *j, const lighting_choice *choice, tl_device *device, tl
 
     console_stage("lighting");
     TRY(job_default_lights(j, err));
+    tell_model(j);
     TRY(tl_image_create(camera->width, camera->height, &j->image, err));
     TRY(tl_lighting_create(device, &choice->options, &lighting, err));
     TRY(tl_lighting_run(lighting, j->gbuffer, &j->lights, j->image, &j->timings,

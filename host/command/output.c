@@ -80,13 +80,17 @@ bool picture_on_standard_output(const picture_options *options)
     return false;
 }
 
-enum { OPTION_EXPOSURE = 256, OPTION_TONE, OPTION_EXR };
+enum { OPTION_EXPOSURE = 256, OPTION_TONE, OPTION_CURVE, OPTION_EXR };
 
 #define TONE_WORD(name, word, source) [name] = word,
 #define TONE_HELP(name, word, source) " " word ": " source "."
 static const char *const tone_words[] = {TL_TONE_CURVES(TONE_WORD)};
+#define CURVE_WORD(name, word, rounding, source) [name] = word,
+#define CURVE_HELP(name, word, rounding, source) " " word ": " source "."
+static const char *const curve_words[] = {TL_CURVES(CURVE_WORD)};
 static const char *const depth_words[] = {"float", "half"};
 static const value_words tones = {"curve", "curves", tone_words, TL_TONE_COUNT};
+static const value_words curves = {"curve", "curves", curve_words, TL_CURVE_COUNT};
 static const value_words depths = {"precision", "precisions", depth_words, 2};
 
 static void add_output(picture_options *options, const char *path, struct argp_state *state)
@@ -112,7 +116,12 @@ static error_t parse(int key, char *text, struct argp_state *state)
                 (float)value_number(state, "--exposure (stops, or auto)", text, -64.0, 64.0);
         return 0;
     case OPTION_TONE:
-        options->tone = (tl_tone)value_word(state, "--tone", text, &tones);
+        options->look.tone = (tl_tone)value_word(state, "--tone", text, &tones);
+        options->tone_given = true;
+        return 0;
+    case OPTION_CURVE:
+        options->look.curve = (tl_curve)value_word(state, "--curve", text, &curves);
+        options->curve_given = true;
         return 0;
     case OPTION_EXR: options->half = value_word(state, "--exr", text, &depths) == 1; return 0;
     case ARGP_KEY_SUCCESS: /* after the arguments, which are asked for first */
@@ -133,9 +142,36 @@ static const struct argp_option options_table[] = {
      "What PNGs are brightened by, -64 to 64, or auto: to a log-average of 0.18 (default 0)",
      0},
     {"tone", OPTION_TONE, "CURVE", 0,
-     "From radiance to the range of a PNG (default aces)." TL_TONE_CURVES(TONE_HELP), 0},
+     "From radiance to the range of a PNG (default aces, or what a capture of another program "
+     "asks for)." TL_TONE_CURVES(TONE_HELP),
+     0},
+    {"curve", OPTION_CURVE, "CURVE", 0,
+     "From that range to the codes of a PNG (default srgb, or what a capture of another "
+     "program "
+     "asks for)." TL_CURVES(CURVE_HELP),
+     0},
     {"exr", OPTION_EXR, "float|half", 0, "Numbers in EXRs (default float)", 0},
     {0},
 };
+
+tl_look picture_look(const picture_options *options, const tl_look *asked)
+{
+    tl_look look = options->look;
+    if (asked && !options->tone_given)
+        look.tone = asked->tone;
+    if (asked && !options->curve_given)
+        look.curve = asked->curve;
+    return look;
+}
+
+const char *picture_tone_word(tl_tone tone)
+{
+    return tone_words[tone];
+}
+
+const char *picture_curve_word(tl_curve curve)
+{
+    return curve_words[curve];
+}
 
 const struct argp picture_argp = {.options = options_table, .parser = parse};

@@ -25,12 +25,18 @@ typedef struct picture_options {
     int count;
     bool automatic; /* exposure */
     float exposure; /* stops */
-    tl_tone tone;
+    tl_look look;
+    bool tone_given, curve_given; /* else what the capture asks for */
     bool half;
 } picture_options;
 
 /* Its input is a picture_options, all zero to begin with. At least one output is required. */
-extern const struct argp picture_argp; /* -o, --exposure, --tone, --exr */
+extern const struct argp picture_argp; /* -o, --exposure, --tone, --curve, --exr */
+
+/* How PNGs are made: as the options say, else as the capture asks (NULL: asks for nothing), else ours. */
+tl_look picture_look(const picture_options *options, const tl_look *asked);
+const char *picture_tone_word(tl_tone tone);
+const char *picture_curve_word(tl_curve curve);
 
 /* output_check for each. */
 tl_status picture_check(const picture_options *options, const char *input, tl_error *err);

@@ -31,10 +31,22 @@ static tl_status check(int code, const char *path, tl_status otherwise, tl_error
                    path, spng_strerror(code));
 }
 
-tl_status tl_png_write(
-    const char *path, const uint8_t *rgb, uint32_t width, uint32_t height, tl_error *err)
+/* The chunk that says what the codes mean. */
+static int set_curve(spng_ctx *context, tl_curve curve)
 {
     static const uint8_t perceptual = 0; /* rendering intent */
+    if (curve == TL_CURVE_SRGB)
+        return spng_set_srgb(context, perceptual);
+    return spng_set_gama(context, 1.0 / 2.2);
+}
+
+tl_status tl_png_write(const char *path,
+                       const uint8_t *rgb,
+                       uint32_t width,
+                       uint32_t height,
+                       tl_curve curve,
+                       tl_error *err)
+{
     tl_status status = TL_OK;
     struct spng_ihdr header = {.width = width,
                                .height = height,
@@ -52,7 +64,7 @@ tl_status tl_png_write(
               TL_ERR_WRITE, err));
     TRY(check(spng_set_option(context, SPNG_FILTER_CHOICE, FILTERS), path, TL_ERR_WRITE, err));
     TRY(check(spng_set_ihdr(context, &header), path, TL_ERR_WRITE, err));
-    TRY(check(spng_set_srgb(context, perceptual), path, TL_ERR_WRITE, err));
+    TRY(check(set_curve(context, curve), path, TL_ERR_WRITE, err));
     TRY(check(spng_encode_image(context, rgb, (size_t)width * height * 3, SPNG_FMT_PNG,
                                 SPNG_ENCODE_FINALIZE),
               path, TL_ERR_WRITE, err));

@@ -1,10 +1,10 @@
-/* From radiance to 8 bits: exposure, tone curve, sRGB, rounding.
+/* From radiance to 8 bits: exposure, tone curve, curve of the codes, rounding.
  *
  * All four are monotone, so the whole way is 255 thresholds: the least radiance that comes out as
  * 1, as 2, ... as 255. They are found once per picture, by bisecting over floats with the formulas
  * in double; a pixel then only counts the thresholds it reaches. That is exact, in the sense that
- * every float gets the 8-bit value nearest to the formulas' in double, and no curve is evaluated
- * per pixel. */
+ * every float gets the 8-bit value that the formulas in double are rounded to, and no curve is
+ * evaluated per pixel. */
 #include "parallel.h"
 #include "tilelight/camera.h"
 #include "tilelight/image.h"
@@ -45,7 +45,7 @@ static double tone_none(double x)
 }
 
 /* Rising on [0, infinity). */
-static double (*const curves[TL_TONE_COUNT])(double) = {
+static double (*const tones[TL_TONE_COUNT])(double) = {
     [TL_TONE_ACES] = tone_aces,
     [TL_TONE_REINHARD] = tone_reinhard,
     [TL_TONE_NONE] = tone_none,
@@ -56,6 +56,24 @@ static double linear_from_srgb(double encoded)
 {
     return encoded <= 0.04045 ? encoded / 12.92 : pow((encoded + 0.055) / 1.055, 2.4);
 }
+
+/* A display whose light is the 2.2th power of the signal. */
+static double linear_from_gamma_22(double encoded)
+{
+    return pow(encoded, 2.2);
+}
+
+/* Rising on [0, 1]. */
+static double (*const linear_from[TL_CURVE_COUNT])(double) = {
+    [TL_CURVE_SRGB] = linear_from_srgb,
+    [TL_CURVE_GAMMA_22] = linear_from_gamma_22,
+};
+
+static const double roundings[TL_CURVE_COUNT] = {
+#define CURVE_ROUNDING(name, word, rounding, source) [name] = rounding,
+    TL_CURVES(CURVE_ROUNDING)
+#undef CURVE_ROUNDING
+};
 
 static float float_of_bits(uint32_t bits)
 {
@@ -80,13 +98,14 @@ typedef struct encoder {
 
 /* The least float from `least` on that comes out as `code` or above; infinity if none does.
  * Non-negative floats are ordered as their bits are. */
-static float find_threshold(unsigned code, double scale, double (*curve)(double), float least)
+static float find_threshold(unsigned code, double scale, tl_look look, float least)
 {
-    const double wanted = linear_from_srgb(((double)code - 0.5) / 255.0);
+    const double wanted =
+        linear_from[look.curve](((double)code - roundings[look.curve]) / 255.0);
     uint32_t low = bits_of_float(least), high = bits_of_float(INFINITY);
     while (low < high) {
         const uint32_t middle = low + (high - low) / 2;
-        if (curve((double)float_of_bits(middle) * scale) >= wanted)
+        if (tones[look.tone]((double)float_of_bits(middle) * scale) >= wanted)
             high = middle;
         else
             low = middle + 1;
@@ -101,14 +120,14 @@ static unsigned count_from(const encoder *e, unsigned code, float radiance)
     return code;
 }
 
-static void encoder_prepare(encoder *e, float exposure, tl_tone tone)
+static void encoder_prepare(encoder *e, float exposure, tl_look look)
 {
     const double stops = fmax(-most_exposure, fmin(most_exposure, (double)exposure));
     const double scale = exp2(stops);
     unsigned code = 0;
     e->thresholds[0] = 0.0f;
     for (unsigned i = 1; i < CODES; i++)
-        e->thresholds[i] = find_threshold(i, scale, curves[tone], e->thresholds[i - 1]);
+        e->thresholds[i] = find_threshold(i, scale, look, e->thresholds[i - 1]);
     e->thresholds[CODES] = NAN;
     for (uint32_t bucket = 0; bucket < BUCKETS; bucket++) {
         code = count_from(e, code, float_of_bits(bucket << BUCKET_SHIFT));
@@ -143,11 +162,11 @@ static void encode_rows(void *context, size_t begin, size_t end)
     }
 }
 
-void tl_image_to_srgb8(const tl_image *image, float exposure, tl_tone tone, uint8_t *rgb)
+void tl_image_to_rgb8(const tl_image *image, float exposure, tl_look look, uint8_t *rgb)
 {
     encoder e;
     encode_job job = {image, &e, rgb};
-    encoder_prepare(&e, exposure, tone);
+    encoder_prepare(&e, exposure, look);
     tl_parallel(image->height, ROWS_PER_SUM, encode_rows, &job);
 }
 

@@ -42,23 +42,50 @@ typedef enum tl_tone {
         TL_TONE_COUNT
 } tl_tone;
 
+/* Curves from display-linear [0, 1] to the 256 codes of a PNG, and how what lies between codes is
+ * rounded: 0.5 to the nearest, 0 down.
+ * X(name, word on the command line, rounding, source) */
+#define TL_CURVES(X)                                                            \
+    X(TL_CURVE_SRGB, "srgb", 0.5, "IEC 61966-2-1, rounded to the nearest code") \
+    X(TL_CURVE_GAMMA_22, "gamma-2.2", 0.0,                                      \
+      "x^(1/2.2), cut down to a code: that of the "                             \
+      "ISPC project's deferred shading example")
+
+typedef enum tl_curve {
+#define TL_CURVE_NAME(name, word, rounding, source) name,
+    TL_CURVES(TL_CURVE_NAME)
+#undef TL_CURVE_NAME
+        TL_CURVE_COUNT
+} tl_curve;
+
+/* How radiance becomes a picture of 8 bits. All zero is ours. */
+typedef struct tl_look {
+    tl_tone tone;
+    tl_curve curve;
+} tl_look;
+
 /* The exposure in stops that brings the picture's log-average luminance to 0.18. Pixels that are
  * black, negative or not finite are left out; 0 where none remains. The same on any number of
  * threads. */
 float tl_image_auto_exposure(const tl_image *image);
 
-/* 8-bit RGB, no alpha: radiance times 2^exposure, tone curve, sRGB (IEC 61966-2-1), rounded to
- * nearest: exactly what these formulas give in double, for every float. NaN and negative radiance
- * are black, infinity is white. exposure is finite. rgb is [height][width][3]. On all threads.
- * Cannot fail. */
-void tl_image_to_srgb8(const tl_image *image, float exposure, tl_tone tone, uint8_t *rgb);
+/* 8-bit RGB, no alpha: radiance times 2^exposure, tone curve, curve of the codes, rounded as that
+ * says: exactly what these formulas give in double, for every float. NaN and negative radiance are
+ * black, infinity is white. exposure is finite. rgb is [height][width][3]. On all threads. Cannot
+ * fail. */
+void tl_image_to_rgb8(const tl_image *image, float exposure, tl_look look, uint8_t *rgb);
 
 /* Atomic writers, as tl_gbuffer_write. OpenEXR: channels R, G, B, linear; half is zip-compressed
  * at a low level, float is not compressed: zip takes some 80 times the processor time for 43 %
- * fewer bytes. Fail with TL_ERR_WRITE or TL_ERR_MEMORY. "-" writes a PNG to standard output. */
+ * fewer bytes. A PNG says by which curve its codes are. Fail with TL_ERR_WRITE or TL_ERR_MEMORY. "-"
+ * writes a PNG to standard output. */
 tl_status tl_image_write_exr(const char *path, const tl_image *image, int half, tl_error *err);
-tl_status tl_png_write(
-    const char *path, const uint8_t *rgb, uint32_t width, uint32_t height, tl_error *err);
+tl_status tl_png_write(const char *path,
+                       const uint8_t *rgb,
+                       uint32_t width,
+                       uint32_t height,
+                       tl_curve curve,
+                       tl_error *err);
 
 /* Reads a picture for comparison: the R, G, B of an OpenEXR file, or an 8- or 16-bit PNG as values
  * in [0, 1] without decoding sRGB (*is_png says which; may be NULL). Sizes are checked first.
