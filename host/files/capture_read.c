@@ -1,6 +1,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "capture_read.h"
 
+#include "ispc_read.h"
 #include "tilelight/gbuffer_file.h"
 #include "try.h"
 
@@ -17,45 +18,14 @@ static bool is_exr(const tl_capture_start *start)
     return start->size >= sizeof magic && memcmp(start->bytes, magic, sizeof magic) == 0;
 }
 
-static bool is_picture(const tl_capture_start *start)
-{
-    return !is_exr(start) && tl_import_recognises(start->bytes, start->size);
-}
-
-static tl_status import(const tl_capture_request *request, tl_captured *out, tl_error *err)
-{
-    const tl_import_options defaults = tl_import_options_default();
-    return tl_import_read(request->path, request->import ? request->import : &defaults,
-                          request->notices, &out->gbuffer, NULL, err);
-}
-
-static bool is_given(const tl_capture_request *request)
-{
-    return request->import && request->import->is_given;
-}
-
-/* Ours say what their numbers mean, and are read bit for bit unless channels are mapped by hand. */
 static tl_status read_exr(const tl_capture_request *request, tl_captured *out, tl_error *err)
 {
-    tl_status status = TL_OK;
-    bool is_own = false;
-    TRY(tl_gbuffer_is_own(request->path, &is_own, err));
-    if (!is_own || (request->import && request->import->map_count > 0))
-        TRY(import(request, out, err));
-    else if (is_given(request))
-        TRY(tl_fail(err, TL_ERR_ARGUMENT,
-                    "%s: is a G-buffer of tilelight, which says itself what its numbers mean; "
-                    "leave out the options for captures of other programs",
-                    request->path));
-    else
-        TRY(tl_gbuffer_read(request->path, &out->gbuffer, &out->lights, &out->has_lights, err));
-done:
-    return status;
+    return tl_gbuffer_read(request->path, &out->gbuffer, &out->lights, &out->has_lights, err);
 }
 
 const tl_capture_format tl_capture_formats[] = {
-    {"OpenEXR", is_exr, read_exr, true},
-    {"PFM, PNG (with --map)", is_picture, import, true},
+    {"OpenEXR", is_exr, read_exr},
+    {"ISPC deferred example", tl_ispc_recognises, tl_ispc_read},
 };
 const size_t tl_capture_format_count = sizeof tl_capture_formats / sizeof tl_capture_formats[0];
 
@@ -79,6 +49,20 @@ done:
     return status;
 }
 
+static const tl_capture_format *format_of(const tl_capture_start *start)
+{
+    for (size_t i = 0; i < tl_capture_format_count; i++)
+        if (tl_capture_formats[i].recognises(start))
+            return &tl_capture_formats[i];
+    return NULL;
+}
+
+const tl_capture_format *tl_capture_format_of(const char *path)
+{
+    tl_capture_start start;
+    return read_start(path, &start, NULL) == TL_OK ? format_of(&start) : NULL;
+}
+
 static tl_status unknown_format(const char *path, tl_error *err)
 {
     char list[512] = "";
@@ -94,23 +78,12 @@ tl_status tl_capture_read(const tl_capture_request *request, tl_captured *out, t
     tl_status status = TL_OK;
     tl_captured read = {0};
     tl_capture_start start;
-    size_t i = 0;
-    if (!request->path) {
-        TRY(import(request, &read, err));
-        *out = read;
-        goto done;
-    }
+    const tl_capture_format *format;
     TRY(read_start(request->path, &start, err));
-    while (i < tl_capture_format_count && !tl_capture_formats[i].recognises(&start))
-        i++;
-    if (i == tl_capture_format_count)
+    format = format_of(&start);
+    if (!format)
         TRY(unknown_format(request->path, err));
-    if (is_given(request) && !tl_capture_formats[i].takes_options)
-        TRY(tl_fail(err, TL_ERR_ARGUMENT,
-                    "%s: is of the format %s, which says itself what its numbers mean; leave "
-                    "out the options for captures of other programs",
-                    request->path, tl_capture_formats[i].name));
-    TRY(tl_capture_formats[i].read(request, &read, err));
+    TRY(format->read(request, &read, err));
     *out = read;
 done:
     return status;

@@ -45,6 +45,9 @@ typedef struct tl_capture_format {
 extern const tl_capture_format tl_capture_formats[];
 extern const size_t tl_capture_format_count;
 
+/* The format that recognises the file; NULL where none does, or it cannot be read. */
+const tl_capture_format *tl_capture_format_of(const char *path);
+
 /* Reads a capture by the table. Pixels are as the file has them: see tl_gbuffer_repair. The caller
  * releases *out with tl_captured_clear. Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED or
  * TL_ERR_MEMORY. */
