@@ -75,8 +75,33 @@ static void open_ranges(tl_prepared *prepared)
         prepared->lights[i].range2 = INFINITY;
 }
 
+static bool is_grey(const tl_gbuffer *g)
+{
+    const float *r = tl_gbuffer_plane(g, TL_SPECULAR_R);
+    const float *green = tl_gbuffer_plane(g, TL_SPECULAR_G);
+    const float *b = tl_gbuffer_plane(g, TL_SPECULAR_B);
+    for (size_t i = 0; r && i < (size_t)g->rows * g->pitch; i++)
+        if (r[i] != green[i] || r[i] != b[i])
+            return false;
+    return true;
+}
+
+/* hand_frame.has_one_color. Of lights with a range alone: the others have code of their own. */
+static bool has_one_color(const tl_baseline_input *input, const tl_prepared *prepared)
+{
+    if (prepared->needs.model != TL_MODEL_BLINN_PHONG_NORMALIZED ||
+        prepared->frame.global_count > 0 || !is_grey(input->gbuffer))
+        return false;
+    for (uint32_t i = 0; i < prepared->frame.light_count; i++)
+        if (memcmp(prepared->lights[i].diffuse, prepared->lights[i].specular,
+                   sizeof prepared->lights[i].diffuse) != 0)
+            return false;
+    return true;
+}
+
 static tl_status create(const tl_baseline_input *input,
                         const hand_code *code,
+                        bool is_relaxed,
                         void **out,
                         tl_error *err)
 {
@@ -87,7 +112,8 @@ static tl_status create(const tl_baseline_input *input,
     h->code = code;
     h->worker_count = tl_thread_count();
     TRY(tl_prepare(input->gbuffer, input->lights, HAND_TILE, 1, 0.0f, NULL, &h->prepared, err));
-    TRY(tl_baseline_check(&h->prepared.needs, ~0u, err));
+    if (!(is_relaxed && has_one_color(input, &h->prepared)))
+        TRY(tl_baseline_check(&h->prepared.needs, ~0u, err));
     open_ranges(&h->prepared);
     const tl_frame *f = &h->prepared.frame;
     h->boxes = calloc((size_t)f->tiles_x * f->tiles_y, sizeof *h->boxes);
@@ -98,6 +124,7 @@ static tl_status create(const tl_baseline_input *input,
     for (size_t i = 0; i < h->worker_count; i++)
         TRY(hand_worker_create(&h->workers[i], f->light_count - f->global_count, err));
     h->frame = (hand_frame){.prepared = &h->prepared, .boxes = h->boxes, .rects = h->rects};
+    h->frame.has_one_color = is_relaxed && has_one_color(input, &h->prepared);
     for (enum tl_plane p = 0; p < TL_PLANE_COUNT; p++)
         h->frame.planes[p] = tl_gbuffer_plane(input->gbuffer, p);
     *out = h;
@@ -109,12 +136,12 @@ done:
 
 tl_status hand_create_exact(const tl_baseline_input *input, void **out, tl_error *err)
 {
-    return create(input, sets[chosen_set()].exact, out, err);
+    return create(input, sets[chosen_set()].exact, false, out, err);
 }
 
 tl_status hand_create_relaxed(const tl_baseline_input *input, void **out, tl_error *err)
 {
-    return create(input, sets[chosen_set()].relaxed, out, err);
+    return create(input, sets[chosen_set()].relaxed, true, out, err);
 }
 
 static void bound_rows(void *context, size_t begin, size_t end)

@@ -22,6 +22,9 @@ typedef struct hand_frame {
     float *radiance[3];                  /* [rows][pitch] */
     hand_box *boxes;                     /* [tiles_y][tiles_x] */
     const tl_tile_rect *rects;           /* [light_count], set from global_count on */
+    /* The lobe is as diffuse light is, times one number a pixel: the model is blinn-phong-normalized,
+     * specular colours are grey, and both lobes of a light have one colour. Relaxed code alone. */
+    bool has_one_color;
 } hand_frame;
 
 /* The lights whose rectangles meet a row of tiles, as arrays [capacity]; count is followed by

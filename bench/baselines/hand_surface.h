@@ -9,6 +9,8 @@
 typedef struct block_surface {
     lanes3 position, normal, to_eye;
     lanes half_exponent; /* of Blinn-Phong, halved */
+    lanes lobe_scale;    /* with one colour: what the lobe adds, as a share of diffuse light */
+    bool has_one_color;
 } block_surface;
 
 /* What the lights bring, per lobe; the surface's colours multiply it afterwards. */
@@ -86,6 +88,11 @@ LANES_INLINE block_surface surface_of_block(const hand_frame *frame,
     if (orthographic)
         s.to_eye = (lanes3){all(0.0f), all(0.0f), all(1.0f)};
     s.half_exponent = 0.5f * block_exponent(frame, pixel.at);
+    s.has_one_color = frame->has_one_color;
+    s.lobe_scale = all(0.0f);
+    if (s.has_one_color)
+        s.lobe_scale = load_or(frame, TL_SPECULAR_R, pixel.at, 0.0f) *
+                       fused(s.half_exponent, all(0.25f), all(0.25f));
     return s;
 }
 
@@ -101,7 +108,7 @@ LANES_INLINE void store_channel(
     if (frame->planes[TL_METALLIC])
         color = albedo * (1.0f - pixel.metallic);
     lanes radiance = color * diffuse;
-    if (frame->prepared->needs.specular) {
+    if (frame->prepared->needs.specular && !frame->has_one_color) {
         const lanes reflected = frame->planes[TL_METALLIC]
                                     ? fused(pixel.metallic, albedo - 0.04f, all(0.04f))
                                     : load_or(frame, TL_SPECULAR_R + channel, pixel.at, 0.0f);

@@ -36,6 +36,7 @@ tl_status tl_bench_frame_make(tl_bench_frame *frame, const tl_bench_case *of, tl
     TRY(tl_scene_lights(frame->gbuffer, &of->scene_options, &frame->lights, err));
     TRY(tl_pair_counts_take(frame->gbuffer, &frame->lights, &frame->pairs, err));
     frame->made_for = *of;
+    frame->ours = frame->gbuffer;
 done:
     if (status != TL_OK)
         tl_bench_frame_clear(frame);

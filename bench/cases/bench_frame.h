@@ -12,6 +12,7 @@ typedef struct tl_bench_frame {
     tl_gbuffer *gbuffer;    /* in full float */
     tl_gbuffer *packed[2];  /* as asked for last, in other layouts */
     int next;               /* of `packed`, to be replaced */
+    const tl_gbuffer *ours; /* what our kernels light: one of the above */
     tl_light_set lights;
     tl_pair_counts pairs;
     tl_image *image;

@@ -18,7 +18,7 @@ typedef struct pairing {
 static tl_status run_ours(const pairing *p, double *ms, tl_error *err)
 {
     const double start = tl_seconds();
-    const tl_status status = tl_lighting_run(p->lighting, p->frame->gbuffer, &p->frame->lights,
+    const tl_status status = tl_lighting_run(p->lighting, p->frame->ours, &p->frame->lights,
                                              p->frame->image, NULL, NULL, NULL, err);
     *ms = 1e3 * (tl_seconds() - start);
     return status;

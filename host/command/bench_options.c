@@ -15,6 +15,7 @@ enum {
     OPTION_DEVIATION,
     OPTION_SECONDS,
     OPTION_BASELINES,
+    OPTION_CAPTURE,
     OPTION_QUICK,
     OPTION_GROWTH,
     OPTION_STARTUP,
@@ -40,6 +41,12 @@ static void check_together(const bench_options *options, struct argp_state *stat
         argp_error(state, "--csv - and --json - both want standard output");
     if (options->quick && options->mode != BENCH_BASELINES)
         argp_error(state, "--quick is for --baselines");
+    if (options->capture && options->mode != BENCH_BASELINES)
+        argp_error(state, "--capture is for --baselines");
+    for (int axis = TL_AXIS_SCENE; axis <= TL_AXIS_RANGE && options->capture; axis++)
+        if (options->lists.of[axis])
+            argp_error(state, "--capture brings the frame; leave out --%s",
+                       tl_bench_axes[axis].name);
     if (options->mode != BENCH_CASES && (options->csv || options->sets || options->compare))
         argp_error(state, "--csv, --case and --compare are for cases");
     if (options->mode != BENCH_CASES && options->mode != BENCH_LIST &&
@@ -86,6 +93,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         options->seconds_given = true;
         return 0;
     case OPTION_BASELINES: return choose_mode(options, BENCH_BASELINES, state);
+    case OPTION_CAPTURE: options->capture = text; return 0;
     case OPTION_STARTUP: return choose_mode(options, BENCH_STARTUP, state);
     case OPTION_GROWTH: return choose_mode(options, BENCH_GROWTH, state);
     case OPTION_QUICK: options->quick = true; return 0;
@@ -118,6 +126,13 @@ static const struct argp_option fixed_options[] = {
     {"baselines", OPTION_BASELINES, NULL, 0,
      "Light one frame by turns with the kernels and with every other way that `--list' names: "
      "our time over theirs",
+     1},
+    {"capture", OPTION_CAPTURE, "FILE", 0,
+     "With --baselines: a capture with point lights inside, in place of a scene. Times are "
+     "also "
+     "told per pair of a pixel and a light that plain tiles of 16 px compute (their frustum, "
+     "and "
+     "their nearest and farthest depth)",
      1},
     {"quick", OPTION_QUICK, NULL, 0,
      "With --baselines: in less than 45 s where kernels are compiled; what takes more than a "

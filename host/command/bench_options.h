@@ -26,7 +26,8 @@ typedef struct bench_options {
     kernel_choice kernel; /* set in BENCH_KERNEL */
     tl_sampling_rule rule;
     bool samples_given, seconds_given;
-    bool quick; /* baselines: those above a second once */
+    const char *capture; /* baselines: a file in place of a scene; NULL: none */
+    bool quick;          /* baselines: those above a second once */
     bool quiet;
     const char *csv, *json; /* where to; NULL: nowhere */
     const char *compare;    /* an earlier report; NULL: none */
