@@ -246,6 +246,31 @@ static void refuses_sums(void **state)
     free(text);
 }
 
+/* A few bytes that ask for much: an accessor without a view is as many zeros as it says. */
+static void refuses_hordes(void **state)
+{
+    static const struct {
+        const char *count, *sentence;
+    } hordes[] = {
+        {"2000000", "node 3: its scene shows meshes at more than 1048576 places"},
+        {"4611686018427387904",
+         "node 3: the scene's geometry comes to more memory than it may take"},
+    };
+    const tl_capture_options resting = {.width = 8, .height = 8};
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(hordes); i++) {
+        char accessor[128];
+        char *text = edited(motion_scene(&good), "\"TRANSLATION\":1,\"ROTATION\":9",
+                            "\"TRANSLATION\":11");
+        snprintf(accessor, sizeof accessor,
+                 ",{\"componentType\":5126,\"count\":%s,\"type\":\"VEC3\"}],\n\"bufferViews\"",
+                 hordes[i].count);
+        text = edited(text, "],\n\"bufferViews\"", accessor);
+        assert_refused(text, &resting, TL_ERR_UNSUPPORTED, hordes[i].sentence);
+        free(text);
+    }
+}
+
 /* Nothing is wrong with the scene, but with what is asked of it. */
 static void refuses_moments(void **state)
 {
@@ -358,6 +383,7 @@ int main(void)
         cmocka_unit_test(refuses_with_the_sentence),
         cmocka_unit_test(refuses_numbers),
         cmocka_unit_test(refuses_sums),
+        cmocka_unit_test(refuses_hordes),
         cmocka_unit_test(refuses_moments),
         cmocka_unit_test(accepts_the_unusual),
         cmocka_unit_test(what_is_not_shown_is_not_judged),

@@ -11,6 +11,8 @@ static const uint64_t tl_max_scene_bytes = (uint64_t)1 << 31;
 static const uint64_t tl_max_buffer_bytes = (uint64_t)1 << 32;
 /* Vertices and indices as they go to GL, together. */
 static const uint64_t tl_max_geometry_bytes = (uint64_t)1 << 32;
+/* Displacements of morph targets, all that are read; they go again, so it is time that this bounds. */
+static const uint64_t tl_max_displacement_bytes = (uint64_t)1 << 36;
 /* Decoded images, together, in OpenGL's memory; mipmaps add a third. */
 static const uint64_t tl_max_texel_bytes = (uint64_t)1 << 32;
 

@@ -72,6 +72,7 @@ typedef struct player {
     const tl_gltf_animation *animation;
     tl_label label; /* of the animation */
     double time, end;
+    tl_budget budget; /* for the keys of all channels */
     tl_pose pose;
 } player;
 
@@ -189,17 +190,16 @@ static tl_status check_rotations(const player *at, const track *t, tl_error *err
     return TL_OK;
 }
 
-static tl_status read_keys(const player *at, track *t, tl_error *err)
+static tl_status read_keys(player *at, track *t, tl_error *err)
 {
     const tl_gltf *const gltf = at->gltf;
-    tl_budget budget = {tl_max_geometry_bytes};
     size_t count = 0;
     tl_status status = TL_OK;
-    TRY(tl_accessor_read(gltf, t->user, t->keys->times, TL_USE_KEY_TIMES, &budget, &t->times,
-                         &t->curve.key_count, err));
+    TRY(tl_accessor_read(gltf, t->user, t->keys->times, TL_USE_KEY_TIMES, &at->budget,
+                         &t->times, &t->curve.key_count, err));
     t->curve.times = t->times;
     TRY(check_times(at, t, err));
-    TRY(tl_accessor_read(gltf, t->user, t->keys->values, paths[t->path].use, &budget,
+    TRY(tl_accessor_read(gltf, t->user, t->keys->values, paths[t->path].use, &at->budget,
                          &t->values, &count, err));
     t->curve.values = t->values;
     /* Weights are single numbers: an element is one of them. */
@@ -261,6 +261,7 @@ tl_status tl_animation_pose(const tl_gltf *gltf,
         .animation = &gltf->animations[index],
         .label = tl_label_of("animation", index, gltf->animations[index].name),
         .time = moment->has_time ? moment->time : 0.0,
+        .budget = {tl_max_geometry_bytes},
         .pose = {gltf->node_count, calloc(gltf->node_count + 1, sizeof(tl_node_pose))}};
     if (!at.pose.nodes) {
         status =

@@ -21,7 +21,7 @@ static const size_t NO_NODE = (size_t)-1;
 
 typedef struct loader {
     tl_model *model;
-    tl_budget budget;
+    tl_budget budget, displacements;
     version *versions;                    /* [mesh_count]: the last that was read */
     size_t skipped_count;                 /* primitives */
     bool is_used[TL_GLTF_TEXCOORD_COUNT]; /* sets of texture coordinates, by some material */
@@ -199,7 +199,7 @@ static tl_status load_part(
     if (!shares_vertices(mesh, primitive, part)) {
         tl_vertices *const made = &model->vertices[model->vertices_count++];
         TRY(read_attributes(at, user.text, from, made, err));
-        TRY(tl_morph(gltf, user.text, from, weights, made, err));
+        TRY(tl_morph(gltf, user.text, from, weights, &at->displacements, made, err));
     }
     part->vertices = model->vertices_count - 1;
     tl_vertices *const vertices = &model->vertices[part->vertices];
@@ -280,7 +280,9 @@ tl_status tl_load_geometry(tl_model *model,
                            const tl_notices *notices,
                            tl_error *err)
 {
-    loader at = {.model = model, .budget = {tl_max_geometry_bytes}};
+    loader at = {.model = model,
+                 .budget = {tl_max_geometry_bytes},
+                 .displacements = {tl_max_displacement_bytes}};
     tl_status status = TL_OK;
 
     find_used_sets(&at);

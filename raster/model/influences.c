@@ -1,6 +1,5 @@
 #include "influences.h"
 
-#include "load_limits.h"
 #include "try.h"
 
 #include <stdlib.h>
@@ -55,10 +54,10 @@ tl_status tl_influences_read(const tl_gltf *gltf,
                              const tl_gltf_primitive *primitive,
                              size_t count,
                              size_t joint_count,
+                             tl_budget *budget,
                              tl_influences *out,
                              tl_error *err)
 {
-    tl_budget budget = {tl_max_geometry_bytes};
     const size_t set_count = primitive->influences_count;
     void *sets = NULL;
     tl_status status = TL_OK;
@@ -67,16 +66,16 @@ tl_status tl_influences_read(const tl_gltf *gltf,
     if (set_count == 0)
         return tl_fail(err, TL_ERR_FORMAT, "%s: %s has no JOINTS_0, which its skin needs",
                        gltf->path, user);
-    TRY(tl_budget_take(&budget, gltf, user, set_count, sizeof *out->sets, &sets, err));
+    TRY(tl_budget_take(budget, gltf, user, set_count, sizeof *out->sets, &sets, err));
     out->sets = sets;
     out->set_count = set_count;
     for (size_t i = 0; i < set_count; i++) {
         const tl_gltf_influences *const from = &primitive->influences[i];
         tl_influence_set *const to = &out->sets[i];
-        TRY(read_half(gltf, user, from->joints, TL_USE_JOINTS, i, count, &budget, &to->joints,
+        TRY(read_half(gltf, user, from->joints, TL_USE_JOINTS, i, count, budget, &to->joints,
                       err));
-        TRY(read_half(gltf, user, from->weights, TL_USE_WEIGHTS, i, count, &budget,
-                      &to->weights, err));
+        TRY(read_half(gltf, user, from->weights, TL_USE_WEIGHTS, i, count, budget, &to->weights,
+                      err));
         TRY(check_set(gltf, user, to, count, joint_count, err));
     }
 done:

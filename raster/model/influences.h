@@ -25,6 +25,7 @@ tl_status tl_influences_read(const tl_gltf *gltf,
                              const tl_gltf_primitive *primitive,
                              size_t count,
                              size_t joint_count,
+                             tl_budget *budget,
                              tl_influences *out,
                              tl_error *err);
 

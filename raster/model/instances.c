@@ -87,6 +87,29 @@ static tl_status place_instance(const tl_gltf *gltf,
     return TL_OK;
 }
 
+/* Room for `count` more. */
+static tl_status make_room(const tl_gltf *gltf,
+                           const char *user,
+                           size_t count,
+                           tl_placements *to,
+                           size_t *room,
+                           tl_error *err)
+{
+    if (count > TL_MAX_DRAW_COUNT || to->count > TL_MAX_DRAW_COUNT)
+        return tl_fail(err, TL_ERR_UNSUPPORTED,
+                       "%s: %s: its scene shows meshes at more than %d places", gltf->path,
+                       user, TL_MAX_DRAW_COUNT);
+    if (to->count + count <= *room)
+        return TL_OK;
+    const size_t wanted = 2 * (to->count + count);
+    tl_placed *const grown = realloc(to->meshes, wanted * sizeof *grown);
+    if (!grown)
+        return tl_fail(err, TL_ERR_MEMORY, "%s: out of memory for its instances", gltf->path);
+    to->meshes = grown;
+    *room = wanted;
+    return TL_OK;
+}
+
 /* What the walk of the nodes placed once stands where each of its instances is. */
 static tl_status multiply(
     const tl_gltf *gltf, const tl_placed *once, tl_placements *out, size_t *room, tl_error *err)
@@ -102,24 +125,7 @@ static tl_status multiply(
                        gltf->path, label.text);
     TRY(read_attributes(gltf, label.text, node, &all, err));
     const size_t count = all.count ? all.count : 1;
-    if (count > TL_MAX_DRAW_COUNT || out->count > TL_MAX_DRAW_COUNT) {
-        status = tl_fail(err, TL_ERR_UNSUPPORTED,
-                         "%s: %s: its scene shows meshes at more than %d "
-                         "places",
-                         gltf->path, label.text, TL_MAX_DRAW_COUNT);
-        goto done;
-    }
-    if (out->count + count > *room) {
-        const size_t wanted = 2 * (out->count + count);
-        tl_placed *const grown = realloc(out->meshes, wanted * sizeof *grown);
-        if (!grown) {
-            status =
-                tl_fail(err, TL_ERR_MEMORY, "%s: out of memory for its instances", gltf->path);
-            goto done;
-        }
-        out->meshes = grown;
-        *room = wanted;
-    }
+    TRY(make_room(gltf, label.text, count, out, room, err));
     for (size_t i = 0; i < count; i++) {
         tl_affine local;
         TRY(place_instance(gltf, label.text, &all, i, &local, err));

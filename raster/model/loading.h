@@ -41,12 +41,14 @@ tl_status tl_load_geometry(tl_model *model,
                            tl_error *err);
 
 /* Reads the morph targets of a primitive and adds them to its vertices, weighted; weights: [target_count],
- * NULL: all 0. Fails as tl_accessor_read does, and with TL_ERR_FORMAT where targets do not fit the
- * primitive or the sum is not finite. */
+ * NULL: all 0; *work: bytes of displacements that may still be read. Fails as tl_accessor_read does,
+ * with TL_ERR_FORMAT where targets do not fit the primitive or the sum is not finite, and with
+ * TL_ERR_UNSUPPORTED beyond *work. */
 tl_status tl_morph(const tl_gltf *gltf,
                    const char *user,
                    const tl_gltf_primitive *primitive,
                    const double *weights,
+                   tl_budget *work,
                    tl_vertices *vertices,
                    tl_error *err);
 

@@ -27,6 +27,7 @@ static tl_status add_target(const tl_gltf *gltf,
                             int attribute,
                             int accessor,
                             double weight,
+                            tl_budget *work,
                             sum *to,
                             tl_error *err)
 {
@@ -44,6 +45,14 @@ static tl_status add_target(const tl_gltf *gltf,
                     gltf->path, user, count, words[attribute], vertices->count);
         goto done;
     }
+    const uint64_t size = (uint64_t)count * WIDTH * sizeof *displacements;
+    if (size > work->left) {
+        status = tl_fail(err, TL_ERR_UNSUPPORTED,
+                         "%s: %s: the scene's morph targets come to more than may be read",
+                         gltf->path, user);
+        goto done;
+    }
+    work->left -= size;
     if (weight == 0.0 || !vertices->attributes[attribute])
         goto done;
     if (!to->values) {
@@ -87,6 +96,7 @@ tl_status tl_morph(const tl_gltf *gltf,
                    const char *user,
                    const tl_gltf_primitive *primitive,
                    const double *weights,
+                   tl_budget *work,
                    tl_vertices *vertices,
                    tl_error *err)
 {
@@ -107,7 +117,7 @@ tl_status tl_morph(const tl_gltf *gltf,
                 goto done;
             }
             TRY(add_target(gltf, target, vertices, i, accessor, weights ? weights[k] : 0.0,
-                           &sums[i], err));
+                           work, &sums[i], err));
         }
     }
     for (int i = 0; i < TL_GLTF_MORPHED_COUNT; i++)

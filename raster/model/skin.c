@@ -1,6 +1,7 @@
 #include "loading.h"
 
 #include "influences.h"
+#include "joints.h"
 #include "load_limits.h"
 #include "lookup.h"
 #include "parallel.h"
@@ -8,111 +9,12 @@
 
 #include <stdlib.h>
 
-/* --- joints ------------------------------------------------------------------------------------ */
-
-/* Vertices are kept in floats: around an anchor near the mesh they stay fine where the scene is far
- * from the origin. */
-typedef struct palette {
-    size_t count;
-    tl_affine *anchor_from_mesh; /* [count], owned: by each joint */
-    double anchor[3];            /* in the world: where the first joint is */
-} palette;
-
-/* Last rows come out of an inversion in float: they count as 0 0 0 1 within this. */
-static const double last_row_slack = 1e-5;
-
-static tl_status read_inverse_bind(const tl_gltf *gltf,
-                                   const char *user,
-                                   const float *columns,
-                                   size_t joint,
-                                   tl_affine *out,
-                                   tl_error *err)
-{
-    const float *const m = columns + 16 * joint;
-    for (int j = 0; j < 4; j++) {
-        const double expected = j == 3 ? 1.0 : 0.0;
-        if (fabs((double)m[4 * j + 3] - expected) > last_row_slack)
-            return tl_fail(err, TL_ERR_FORMAT,
-                           "%s: %s: its inverse bind matrix %zu has a last row that is not 0 0 "
-                           "0 1",
-                           gltf->path, user, joint);
-        for (int i = 0; i < 3; i++)
-            out->m[i][j] = (double)m[4 * j + i];
-    }
-    return TL_OK;
-}
-
-/* Joints that the scene has, each at most once. */
-static tl_status check_joints(const tl_gltf *gltf,
-                              const char *user,
-                              const tl_gltf_skin *skin,
-                              const tl_placements *placements,
-                              tl_error *err)
-{
-    tl_status status = TL_OK;
-    if (skin->joint_count == 0)
-        return tl_fail(err, TL_ERR_FORMAT, "%s: %s has no joints", gltf->path, user);
-    if (skin->skeleton != -1)
-        TRY(tl_gltf_check_index(gltf, user, "node", skin->skeleton, gltf->node_count, err));
-    for (size_t i = 0; i < skin->joint_count; i++) {
-        const int node = skin->joints[i];
-        TRY(tl_gltf_check_index(gltf, user, "node", node, gltf->node_count, err));
-        if (!placements->in_scene[node]) {
-            status = tl_fail(err, TL_ERR_FORMAT,
-                             "%s: %s: its joint %zu, node %d, is not in the scene", gltf->path,
-                             user, i, node);
-            goto done;
-        }
-    }
-done:
-    return status;
-}
-
-static tl_status open_palette(
-    const tl_gltf *gltf, int skin, const tl_placements *placements, palette *out, tl_error *err)
-{
-    const tl_gltf_skin *const from = &gltf->skins[skin];
-    const tl_label user = tl_label_of("skin", (size_t)skin, from->name);
-    tl_budget budget = {tl_max_geometry_bytes};
-    float *inverse_binds = NULL;
-    void *matrices = NULL;
-    size_t count = 0;
-    tl_status status = TL_OK;
-
-    TRY(check_joints(gltf, user.text, from, placements, err));
-    if (from->inverse_bind != -1) {
-        TRY(tl_accessor_read(gltf, user.text, from->inverse_bind, TL_USE_INVERSE_BIND, &budget,
-                             &inverse_binds, &count, err));
-        if (count < from->joint_count) {
-            status = tl_fail(err, TL_ERR_FORMAT,
-                             "%s: %s has %zu inverse bind matrices for %zu joints", gltf->path,
-                             user.text, count, from->joint_count);
-            goto done;
-        }
-    }
-    TRY(tl_budget_take(&budget, gltf, user.text, from->joint_count,
-                       sizeof *out->anchor_from_mesh, &matrices, err));
-    out->anchor_from_mesh = matrices;
-    out->count = from->joint_count;
-    tl_affine_column(&placements->worlds[from->joints[0]], 3, out->anchor);
-    for (size_t i = 0; i < out->count; i++) {
-        tl_affine bind = tl_affine_identity, world = placements->worlds[from->joints[i]];
-        if (inverse_binds)
-            TRY(read_inverse_bind(gltf, user.text, inverse_binds, i, &bind, err));
-        for (int c = 0; c < 3; c++)
-            world.m[c][3] -= out->anchor[c];
-        out->anchor_from_mesh[i] = tl_affine_product(&world, &bind);
-    }
-done:
-    free(inverse_binds);
-    return status;
-}
-
 /* --- vertices ---------------------------------------------------------------------------------- */
 
 /* Vertices while they are moved; parts that share them follow each other. */
 typedef struct skinning {
-    const palette *joints;
+    const tl_joints *joints;
+    tl_budget budget;         /* for the influences of all primitives */
     tl_influences influences; /* of the primitive's vertices in the file */
     tl_vertices *vertices;
     bool *mirrored; /* [vertices->count], owned: its matrix turns left into right */
@@ -203,13 +105,13 @@ static void release(skinning *s)
 {
     tl_influences_clear(&s->influences);
     free(s->mirrored);
-    *s = (skinning){0};
+    *s = (skinning){.budget = s->budget};
 }
 
 static tl_status move_vertices(const tl_model *model,
                                const tl_part *part,
                                const char *user,
-                               const palette *joints,
+                               const tl_joints *joints,
                                skinning *s,
                                tl_error *err)
 {
@@ -223,7 +125,7 @@ static tl_status move_vertices(const tl_model *model,
     s->joints = joints;
     s->vertices = &model->vertices[part->vertices];
     TRY(tl_influences_read(gltf, user, from, gltf->accessors[positions].count, joints->count,
-                           &s->influences, err));
+                           &s->budget, &s->influences, err));
     s->mirrored = calloc(s->vertices->count + 1, sizeof *s->mirrored);
     if (!s->mirrored) {
         status = tl_fail(err, TL_ERR_MEMORY, "%s: out of memory for %s", gltf->path, user);
@@ -268,7 +170,7 @@ static void turn_mirrored(const tl_part *part, const bool *mirrored)
 
 static tl_status skin_part(const tl_model *model,
                            const tl_part *part,
-                           const palette *joints,
+                           const tl_joints *joints,
                            skinning *s,
                            tl_error *err)
 {
@@ -288,11 +190,11 @@ done:
 tl_status tl_load_skins(tl_model *model, const tl_placements *placements, tl_error *err)
 {
     const tl_gltf *const gltf = model->gltf;
-    palette *const palettes = calloc(gltf->skin_count + 1, sizeof *palettes);
-    skinning s = {0};
+    tl_joints *const skins = calloc(gltf->skin_count + 1, sizeof *skins);
+    skinning s = {.budget = {tl_max_geometry_bytes}};
     tl_status status = TL_OK;
 
-    if (!palettes) {
+    if (!skins) {
         status = tl_fail(err, TL_ERR_MEMORY, "%s: out of memory for its skins", gltf->path);
         goto done;
     }
@@ -304,17 +206,17 @@ tl_status tl_load_skins(tl_model *model, const tl_placements *placements, tl_err
         TRY(tl_gltf_check_index(
             gltf, tl_label_of("node", draw->node, gltf->nodes[draw->node].name).text, "skin",
             skin, gltf->skin_count, err));
-        if (!palettes[skin].anchor_from_mesh)
-            TRY(open_palette(gltf, skin, placements, &palettes[skin], err));
-        TRY(skin_part(model, &model->parts[draw->part], &palettes[skin], &s, err));
+        if (!skins[skin].anchor_from_mesh)
+            TRY(tl_joints_open(gltf, skin, placements, &skins[skin], err));
+        TRY(skin_part(model, &model->parts[draw->part], &skins[skin], &s, err));
         draw->world = tl_affine_identity; /* the node's own does not count */
         for (int c = 0; c < 3; c++)
-            draw->world.m[c][3] = palettes[skin].anchor[c];
+            draw->world.m[c][3] = skins[skin].anchor[c];
     }
 done:
     release(&s);
-    for (size_t i = 0; palettes && i < gltf->skin_count; i++)
-        free(palettes[i].anchor_from_mesh);
-    free(palettes);
+    for (size_t i = 0; skins && i < gltf->skin_count; i++)
+        tl_joints_clear(&skins[i]);
+    free(skins);
     return status;
 }
