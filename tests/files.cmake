@@ -24,3 +24,12 @@ tl_test(test_lights_file_round_trip unit tl_files)
 tl_test(test_lights_file_refusals unit tl_files)
 tl_test(test_file_whole unit tl_files)
 target_include_directories(test_file_whole PRIVATE ${PROJECT_SOURCE_DIR}/host/files)
+
+# Captures of other programs, which the tests write as those do.
+function(tl_import_test name)
+    tl_exr_test(${name})
+    target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/host/files/import)
+endfunction()
+
+tl_import_test(test_import_conventions)
+tl_import_test(test_import_aliases)

@@ -15,6 +15,8 @@ static void formats_do_not_overlap(void **state)
     } starts[] = {
         {"a.exr", "\x76\x2f\x31\x01\x02", 5, "OpenEXR"},
         {"no-suffix", "\x76\x2f\x31\x01\x02", 5, "OpenEXR"},
+        {"a.pfm", "Pf\n1 1\n1\n", 10, "PFM, PNG (with --map)"},
+        {"a.png", "\x89PNG\r\n\x1a\n", 8, "PFM, PNG (with --map)"},
         {"short.exr", "\x76\x2f\x31", 3, NULL},
         {"empty.exr", "", 0, NULL},
         {"text.exr", "{ \"tilelight\": 1 }", 18, NULL},

@@ -18,7 +18,7 @@ enum {
     QUARTERS,      /* 0.5 and 1.5, which is a quarter and three */
     HALF,          /* 0.5 and 0 */
     BYTES,         /* 0.2 and 0.8 of normalised bytes */
-    SLANTED,       /* normals (0.6, 0, 0.8) */
+    SLANTED,       /* normals (0.48, 0.6, 0.64) */
     TANGENTS,      /* (0.6, 0.8, 0, 1) */
     LAST_LIFTED,   /* the corner that both triangles share goes by joint 1, the others by 0 */
     BINDS,         /* of joint 0: 3 m down; of joint 1: none */
@@ -39,7 +39,7 @@ static void add_skin(builder *to)
     static const float quarters[4][4] = {FOUR(0.5f, 1.5f, 0, 0)},
                        half[4][4] = {FOUR(0.5f, 0, 0, 0)};
     static const uint8_t bytes[4][4] = {FOUR(51, 204, 0, 0)};
-    static const float slanted[4][3] = {FOUR(0.6f, 0, 0.8f)},
+    static const float slanted[4][3] = {FOUR(0.48f, 0.6f, 0.64f)},
                        tangents[4][4] = {FOUR(0.6f, 0.8f, 0, 1)};
     static const float lifted[4][4] = {{1, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}};
     static const float binds[2][16] = {{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -3, 1},
@@ -124,7 +124,7 @@ static const struct {
      ",\"NORMAL\":9" BY_01 ",\"WEIGHTS_0\":7",
      NULL,
      4,
-     {0.3, 0, 0.8}},
+     {0.24, 0.6, 0.64}},
     {"a joint that mirrors",
      {"\"scale\":[-1,1,1]", ""},
      "",
@@ -133,7 +133,7 @@ static const struct {
      ",\"NORMAL\":9" BY_01 ",\"WEIGHTS_0\":7",
      NULL,
      4,
-     {-0.6, 0, 0.8}},
+     {-0.48, 0.6, 0.64}},
     {"a joint that turns tangents",
      {"\"rotation\":[0,0,0.70710678,0.70710678]", ""},
      "",
@@ -161,15 +161,16 @@ static const struct {
      along_bitangent,
      4,
      {0.8, 0.6, 0}},
+    /* e - n (e.n), times 3 in y: made of what was moved it would be another */
     {"tangents are made before",
-     {"\"scale\":[-1,1,1]", ""},
+     {"\"scale\":[1,3,1]", ""},
      "",
      "\"material\":1",
      "",
-     "," N BY_01 ",\"WEIGHTS_0\":7,\"TEXCOORD_0\":2",
+     ",\"NORMAL\":9" BY_01 ",\"WEIGHTS_0\":7,\"TEXCOORD_0\":2",
      along_tangent,
      4,
-     {-1, 0, 0}},
+     {0.7696, -0.864, -0.3072}},
     {"morphed before",
      {"\"scale\":[1,1,2]", ""},
      "",
@@ -238,6 +239,41 @@ static void flat_normals_are_those_of_the_moved_triangles(void **state)
     assert_near("above it", normal[2], 1 / sqrt(1.0625), normal_within);
     shot_clear(&taken);
     free(text);
+}
+
+/* A vertex that is taken apart, for its normal or its tangents, goes by its own joints on every side. */
+static void parted_vertices_keep_their_joints(void **state)
+{
+    static const struct {
+        const char *material, *attributes;
+    } ways[] = {
+        {PLAIN, "," N BY_01 ",\"WEIGHTS_0\":11"},                             /* shared */
+        {PLAIN, BY_01 ",\"WEIGHTS_0\":11"},                                   /* flat */
+        {"\"material\":1", "," N BY_01 ",\"WEIGHTS_0\":11,\"TEXCOORD_0\":2"}, /* tangents */
+        {"\"material\":1", BY_01 ",\"WEIGHTS_0\":11,\"TEXCOORD_0\":2"},       /* both */
+    };
+    const tl_capture_options options = {.width = SIZE, .height = SIZE};
+    char *const texture = texture_json(along_tangent, 1, 1);
+    shot taken[COUNT_OF(ways)];
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(ways); i++) {
+        builder b = {.size = 0};
+        char rest[4096];
+        add_skin(&b);
+        snprintf(rest, sizeof rest, skinned, "", "\"translation\":[0,0,0.5]", "", texture, "",
+                 ways[i].material, ways[i].attributes);
+        char *const text = built_scene(&b, rest);
+        ASSERT_OK(shoot_text("parted", text, &options, &taken[i]), taken[i].err);
+        free(text);
+        for (uint32_t k = 0; k < SIZE * SIZE;
+             k++) /* a diagonal has two sides, as rounding goes */
+            assert_near("depth", (double)shown_at(&taken[i], TL_DEPTH, k % SIZE, k / SIZE),
+                        (double)shown_at(&taken[0], TL_DEPTH, k % SIZE, k / SIZE),
+                        depth_within);
+    }
+    for (size_t i = 0; i < COUNT_OF(ways); i++)
+        shot_clear(&taken[i]);
+    free(texture);
 }
 
 /* At 10,000 km floats are 1 m apart; a square of 0.6 m is the same there as at home. */
@@ -383,6 +419,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(squares_are_where_their_joints_are),
         cmocka_unit_test(flat_normals_are_those_of_the_moved_triangles),
+        cmocka_unit_test(parted_vertices_keep_their_joints),
         cmocka_unit_test(far_from_home_all_is_the_same),
         cmocka_unit_test(the_skin_of_others_moves_as_its_numbers_say),
     };

@@ -8,7 +8,7 @@ FLOAT, UINT16, UINT32, UINT8 = 5126, 5123, 5125, 5121
 ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER = 34962, 34963
 TRIANGLES, TRIANGLE_STRIP, TRIANGLE_FAN = 4, 5, 6
 CODES = {FLOAT: "f", UINT16: "H", UINT32: "I", UINT8: "B"}
-KINDS = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
+KINDS = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4", 16: "MAT4"}
 
 
 class Document:
@@ -25,15 +25,16 @@ class Document:
         self.lists.setdefault(kind, []).append(item)
         return len(self.lists[kind]) - 1
 
-    def add_accessor(self, rows, component, target, normalized=False, bounds=False):
-        """rows: [count][1 to 4]. Each accessor has a view of its own, aligned to 4 bytes."""
+    def add_accessor(self, rows, component, target=None, normalized=False, bounds=False):
+        """rows: [count][1 to 4, or 16]. Each accessor has a view of its own, aligned to 4 bytes."""
         code = CODES[component]
         packed = [struct.pack("<%d%s" % (len(row), code), *row) for row in rows]
         stride = len(packed[0])
         if target == ARRAY_BUFFER and stride % 4:  # vertex attributes start at multiples of 4
             packed = [row + bytes(-stride % 4) for row in packed]
-        view = {"buffer": 0, "byteOffset": len(self.buffer), "byteLength": sum(map(len, packed)),
-                "target": target}
+        view = {"buffer": 0, "byteOffset": len(self.buffer), "byteLength": sum(map(len, packed))}
+        if target:
+            view["target"] = target
         if target == ARRAY_BUFFER and stride % 4:
             view["byteStride"] = len(packed[0])
         self.buffer += b"".join(packed)
@@ -50,7 +51,9 @@ class Document:
         return self.append("accessors", accessor)
 
     def primitive(self, mesh, material, uvs=False, colors=None, tangents=None, mode=TRIANGLES,
-                  indexed=True):
+                  indexed=True, joints=None, weights=None, targets=()):
+        """joints, weights: [vertices][4], of a skin. targets: meshes of the same shape, whose positions and
+        normals take the place of the mesh's as their weights grow."""
         if mode == TRIANGLES:
             mesh.check()
         attributes = {
@@ -62,7 +65,16 @@ class Document:
             attributes["TANGENT"] = self.add_accessor(tangents, FLOAT, ARRAY_BUFFER)
         if colors:
             attributes["COLOR_0"] = self.add_accessor(colors, UINT8, ARRAY_BUFFER, normalized=True)
+        if joints:
+            attributes["JOINTS_0"] = self.add_accessor(joints, UINT8, ARRAY_BUFFER)
+            attributes["WEIGHTS_0"] = self.add_accessor(weights, FLOAT, ARRAY_BUFFER)
         primitive = {"attributes": attributes, "material": material}
+        if targets:
+            primitive["targets"] = [
+                {"POSITION": self.add_accessor(differences(to.positions, mesh.positions), FLOAT,
+                                               ARRAY_BUFFER, bounds=True),
+                 "NORMAL": self.add_accessor(differences(to.normals, mesh.normals), FLOAT,
+                                             ARRAY_BUFFER)} for to in targets]
         if indexed:
             component = UINT16 if len(mesh.positions) < 65536 else UINT32
             primitive["indices"] = self.add_accessor([(i,) for i in mesh.indices], component,
@@ -71,8 +83,24 @@ class Document:
             primitive["mode"] = mode
         return primitive
 
-    def add_mesh(self, name, *primitives):
-        return self.append("meshes", {"name": name, "primitives": list(primitives)})
+    def add_mesh(self, name, *primitives, **more):
+        return self.append("meshes", {"name": name, "primitives": list(primitives), **more})
+
+    def add_skin(self, name, joints, places):
+        """joints: nodes; places: where each stands, unturned, in the mesh's own space."""
+        matrices = [(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -x, -y, -z, 1) for x, y, z in places]
+        return self.append("skins", {"name": name, "joints": joints,
+                                     "inverseBindMatrices": self.add_accessor(matrices, FLOAT)})
+
+    def add_animation(self, name, curves):
+        """curves: (node, path, interpolation, times, values); values as the interpolation wants them."""
+        samplers, channels = [], []
+        for node, path, interpolation, times, values in curves:
+            samplers.append({"input": self.add_accessor([(t,) for t in times], FLOAT, bounds=True),
+                             "output": self.add_accessor(values, FLOAT),
+                             "interpolation": interpolation})
+            channels.append({"sampler": len(samplers) - 1, "target": {"node": node, "path": path}})
+        return self.append("animations", {"name": name, "samplers": samplers, "channels": channels})
 
     def add_material(self, name, base=(1, 1, 1), metal=0.0, rough=1.0, alpha=1.0, emissive=None,
                      strength=None, **more):
@@ -163,6 +191,10 @@ class Document:
         return {name + ".glb": struct.pack("<4sII", b"glTF", 2, length)
                 + struct.pack("<I4s", len(document), b"JSON") + document
                 + struct.pack("<I4s", len(self.buffer), b"BIN\0") + bytes(self.buffer)}
+
+
+def differences(rows, others):
+    return [tuple(a - b for a, b in zip(row, other)) for row, other in zip(rows, others)]
 
 
 def text(document):

@@ -3,6 +3,7 @@
 #include "check_report.h"
 #include "commands.h"
 #include "console.h"
+#include "import_options.h"
 #include "job_light.h"
 #include "json_values.h"
 #include "kernel_options.h"
@@ -20,6 +21,7 @@ enum { MOST_FRAMES = 64 };
 typedef struct check_command {
     kernel_choice kernel;
     lighting_choice lighting;
+    tl_import_options import;
     report_options report;
     const char *gbuffer; /* NULL: built-in frames */
     const char *diff;    /* NULL: no picture */
@@ -61,6 +63,8 @@ static void check_usage(const check_command *options, struct argp_state *state)
     if (options->lighting.lights && !options->gbuffer)
         argp_error(state, "--lights goes with --gbuffer: built-in frames have lights of their "
                           "own");
+    if (options->import.is_given && !options->gbuffer)
+        argp_error(state, "options for captures of other programs go with --gbuffer");
     if (options->kernel.file && precision != TL_PRECISION_FLOAT &&
         precision != TL_PRECISION_DOUBLE)
         argp_error(state, "--kernel runs on a device: with --precision float or double");
@@ -73,7 +77,8 @@ static error_t parse(int key, char *text, struct argp_state *state)
     case ARGP_KEY_INIT:
         state->child_inputs[0] = &options->kernel;
         state->child_inputs[1] = &options->lighting;
-        state->child_inputs[2] = &options->report;
+        state->child_inputs[2] = &options->import;
+        state->child_inputs[3] = &options->report;
         return 0;
     case OPTION_GBUFFER: options->gbuffer = text; return 0;
     case OPTION_FRAME: add_frame(options, text, state); return 0;
@@ -110,7 +115,8 @@ static const struct argp_option options_table[] = {
 static const struct argp_child children[] = {
     {&kernel_argp, 0, "Kernel:", 1},
     {&lighting_argp, 0, "Lighting:", 2},
-    {&report_argp, 0, "Reports:", 3},
+    {&import_argp, 0, "Captures of other programs (docs/file-formats.md):", 3},
+    {&report_argp, 0, "Reports:", 4},
     {0},
 };
 
@@ -239,7 +245,7 @@ static tl_status take_frame(const check_command *options,
     const char *name = options->gbuffer;
     tl_status status = TL_OK;
     if (options->gbuffer) {
-        TRY(job_read(j, options->gbuffer, options->lighting.strict, err));
+        TRY(job_read(j, options->gbuffer, &options->import, options->lighting.strict, err));
         TRY(unpack(j, options->gbuffer, err));
         TRY(job_default_lights(j, err));
         *frame = (tl_checked_frame){.gbuffer = j->gbuffer,

@@ -1,6 +1,7 @@
 /* tilelight convert: a G-buffer file from one layout to another. */
 #include "commands.h"
 #include "console.h"
+#include "import_options.h"
 #include "job.h"
 #include "plane_channels.h"
 #include "strict_options.h"
@@ -15,7 +16,8 @@
 typedef struct convert_command {
     const char *gbuffer, *output;
     enum tl_layout_name layout;
-    bool layout_given, strict;
+    bool strict;
+    tl_import_options import;
     report_options report;
 } convert_command;
 
@@ -25,10 +27,6 @@ static void check_together(const convert_command *options, struct argp_state *st
 {
     if (!options->output)
         argp_error(state, "-o is missing: where the G-buffer goes");
-    if (!options->layout_given)
-        argp_error(state,
-                   "--layout is missing: how its pixels shall be packed; float is full float, "
-                   "`tilelight layouts' lists the others");
 }
 
 static error_t parse(int key, char *text, struct argp_state *state)
@@ -39,40 +37,40 @@ static error_t parse(int key, char *text, struct argp_state *state)
     switch (key) {
     case ARGP_KEY_INIT:
         state->child_inputs[0] = &options->strict;
-        state->child_inputs[1] = &options->report;
+        state->child_inputs[1] = &options->import;
+        state->child_inputs[2] = &options->report;
         return 0;
     case 'o':
         output_kind(state, "-o", text, OUTPUT_EXR);
         options->output = text;
         return 0;
-    case OPTION_LAYOUT:
-        options->layout = value_layout(state, "--layout", text);
-        options->layout_given = true;
-        return 0;
+    case OPTION_LAYOUT: options->layout = value_layout(state, "--layout", text); return 0;
     case ARGP_KEY_SUCCESS: check_together(options, state); return 0;
-    default: return value_argument(key, text, state, &arguments);
+    default: return import_argument(key, text, state, &arguments, &options->import);
     }
 }
 
 static const struct argp_option options_table[] = {
     {"output", 'o', "H.exr", 0, "The G-buffer; the lights inside go along", 1},
     {"layout", OPTION_LAYOUT, "NAME", 0,
-     "How its pixels are packed: a name of `tilelight layouts', float for full float", 1},
+     "How its pixels are packed: a name of `tilelight layouts' (default float: full float)", 1},
     {0},
 };
 
 static const struct argp_child children[] = {
     {&strict_argp, 0, NULL, 2},
-    {&report_argp, 0, "Reports:", 3},
+    {&import_argp, 0, "Captures of other programs (docs/file-formats.md):", 3},
+    {&report_argp, 0, "Reports:", 4},
     {0},
 };
 
 static const struct argp argp = {
     .options = options_table,
     .parser = parse,
-    .args_doc = "G.exr",
-    .doc = "Brings a G-buffer from its layout to another, by way of full float, and says what "
-           "the other cannot hold.",
+    .args_doc = "[G.exr]",
+    .doc =
+        "Brings a G-buffer from its layout to another, by way of full float, or a capture of "
+        "another program to a G-buffer, and says what the other cannot hold.",
     .children = children,
 };
 
@@ -140,7 +138,8 @@ static tl_status pack(job *j, const convert_command *options, losses *lost, tl_e
     const tl_status status =
         tl_gbuffer_pack(j->gbuffer, options->layout, &packed, &lost->packing, &reason);
     if (status != TL_OK)
-        return tl_fail(err, status, "%.900s: %.3000s", options->gbuffer, reason.message);
+        return tl_fail(err, status, "%.900s: %.3000s",
+                       options->gbuffer ? options->gbuffer : "the capture", reason.message);
     lost->became_phong = (j->gbuffer->present & TL_GROUP_METAL_ROUGH) &&
                          !(packed->present & TL_GROUP_METAL_ROUGH);
     tl_gbuffer_destroy(j->gbuffer);
@@ -171,7 +170,7 @@ static tl_status run(job *j, const convert_command *options, tl_error *err)
     tl_status status = TL_OK;
     TRY(output_check(options->output, options->gbuffer, err));
     TRY(job_begin(j, &options->report, err));
-    TRY(job_read(j, options->gbuffer, options->strict, err));
+    TRY(job_read(j, options->gbuffer, &options->import, options->strict, err));
     TRY(convert(j, options, err));
 
     const double start = tl_seconds();

@@ -4,6 +4,8 @@
 #include "capture_read.h"
 #include "commands.h"
 #include "console.h"
+#include "import/plan.h"
+#include "import_options.h"
 #include "json_values.h"
 #include "report_options.h"
 #include "tilelight/gbuffer_file.h"
@@ -20,6 +22,7 @@
 
 typedef struct info_command {
     const char *path;
+    tl_import_options import;
     report_options report;
 } info_command;
 
@@ -30,19 +33,25 @@ static error_t parse(int key, char *text, struct argp_state *state)
     const value_arguments arguments = {names, &options->path, 1};
     if (key == ARGP_KEY_INIT) {
         state->child_inputs[0] = &options->report;
+        state->child_inputs[1] = &options->import;
         return 0;
     }
     return value_argument(key, text, state, &arguments);
 }
 
-static const struct argp_child children[] = {{&json_argp, 0, NULL, 0}, {0}};
+static const struct argp_child children[] = {
+    {&json_argp, 0, NULL, 0},
+    {&import_argp, 0, "Captures of other programs (docs/file-formats.md):", 1},
+    {0},
+};
 
 static const struct argp argp = {
     .parser = parse,
     .args_doc = "FILE",
     .doc =
-        "Says what is in a G-buffer, a picture (OpenEXR or PNG) or a lights file, told apart "
-        "by their first bytes.",
+        "Says what is in a G-buffer, a capture of another program (OpenEXR or PFM) and what "
+        "lighting it lacks, a picture (OpenEXR or PNG) or a lights file, told apart by their "
+        "first bytes.",
     .children = children,
 };
 
@@ -132,44 +141,86 @@ done:
     return status;
 }
 
-/* An OpenEXR file is a G-buffer, else a picture. Where it is neither, both reasons are said. */
-static tl_status exr_info(const char *path, bool json, tl_error *err)
+/* A picture and nothing else: one part, and no channel that a G-buffer could use but coverage. */
+static bool is_plain_picture(const tl_import_plan *plan)
+{
+    if (plan->sources[0].part_count != 1 || plan->sources[0].parts[0].refusal[0])
+        return false;
+    for (tl_import_plane p = 0; p < TL_IMPORT_ALPHA; p++)
+        if (plan->bindings[p].is_bound)
+            return false;
+    return true;
+}
+
+/* What was found besides is for `light' to say: here the report says it. is_picture is NULL where the file
+ * is to be described whatever it holds. */
+static tl_status import_info(const info_command *options, bool *is_picture, tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_import_plan plan = {.options = NULL};
+    TRY(tl_import_plan_open(&plan, options->path, &options->import, NULL, err));
+    if (is_picture && (*is_picture = is_plain_picture(&plan)))
+        goto done;
+    if (options->report.json)
+        TRY(tl_json_write("-", info_import_json(&plan), err));
+    else
+        info_print_import(&plan);
+done:
+    tl_import_plan_close(&plan);
+    return status;
+}
+
+static tl_status own_info(const char *path, bool json, tl_error *err)
 {
     tl_status status = TL_OK;
     tl_gbuffer *gbuffer = NULL;
-    tl_image *image = NULL;
     tl_light_set lights = {0};
     bool has_lights = false;
-    tl_error other;
-
-    if (tl_gbuffer_read(path, &gbuffer, &lights, &has_lights, err) == TL_OK) {
-        const info_gbuffer read = {
-            .file = gbuffer, .lights = &lights, .has_lights = has_lights};
-        TRY(gbuffer_info(&read, json, err));
-    } else if (tl_image_read(path, &image, NULL, &other) == TL_OK) {
-        TRY(picture_info(image, false, json, err));
-    } else {
-        char reason[1024];
-        snprintf(reason, sizeof reason, "%.1000s", err->message);
-        TRY(tl_fail(err, err->status, "neither a G-buffer (%s) nor a picture (%.1000s)", reason,
-                    other.message));
-    }
+    TRY(tl_gbuffer_read(path, &gbuffer, &lights, &has_lights, err));
+    const info_gbuffer read = {.file = gbuffer, .lights = &lights, .has_lights = has_lights};
+    TRY(gbuffer_info(&read, json, err));
 done:
-    tl_image_destroy(image);
     tl_light_set_clear(&lights);
     tl_gbuffer_destroy(gbuffer);
     return status;
 }
 
-static tl_status png_info(const char *path, bool json, tl_error *err)
+static tl_status image_info(const char *path, bool is_png, bool json, tl_error *err)
 {
     tl_status status = TL_OK;
     tl_image *image = NULL;
     TRY(tl_image_read(path, &image, NULL, err));
-    TRY(picture_info(image, true, json, err));
+    TRY(picture_info(image, is_png, json, err));
 done:
     tl_image_destroy(image);
     return status;
+}
+
+/* An OpenEXR file is a G-buffer of ours, else a capture of another program, else a picture. Where ours
+ * cannot be read, or nothing else can be, the reason is said. */
+static tl_status exr_info(const info_command *options, tl_error *err)
+{
+    tl_status status = TL_OK;
+    const char *path = options->path;
+    bool is_own = false, is_picture = false;
+    TRY(tl_gbuffer_is_own(path, &is_own, err));
+    if (is_own && options->import.map_count == 0)
+        return own_info(path, options->report.json, err);
+    TRY(import_info(options, &is_picture, err));
+    if (is_picture)
+        TRY(image_info(path, false, options->report.json, err));
+done:
+    return status;
+}
+
+static tl_status pfm_info(const info_command *options, tl_error *err)
+{
+    return import_info(options, NULL, err);
+}
+
+static tl_status png_info(const info_command *options, tl_error *err)
+{
+    return image_info(options->path, true, options->report.json, err);
 }
 
 static tl_status lights_info(const char *path, bool json, tl_error *err)
@@ -211,10 +262,13 @@ done:
 /* By the first bytes of a file; what is none of these is read as lights. */
 static const struct {
     unsigned char magic[4];
-    tl_status (*describe)(const char *path, bool json, tl_error *err);
+    size_t magic_size;
+    tl_status (*describe)(const info_command *options, tl_error *err);
 } kinds[] = {
-    {{0x76, 0x2f, 0x31, 0x01}, exr_info},
-    {{0x89, 'P', 'N', 'G'}, png_info},
+    {{0x76, 0x2f, 0x31, 0x01}, 4, exr_info},
+    {{0x89, 'P', 'N', 'G'}, 4, png_info},
+    {{'P', 'F'}, 2, pfm_info},
+    {{'P', 'f'}, 2, pfm_info},
 };
 
 static tl_status run(const info_command *options, tl_error *err)
@@ -227,8 +281,8 @@ static tl_status run(const info_command *options, tl_error *err)
     const size_t size = fread(first, 1, sizeof first, file);
     fclose(file);
     for (size_t i = 0; i < sizeof kinds / sizeof kinds[0]; i++)
-        if (size == sizeof first && memcmp(first, kinds[i].magic, sizeof first) == 0)
-            return kinds[i].describe(options->path, options->report.json, err);
+        if (size == sizeof first && memcmp(first, kinds[i].magic, kinds[i].magic_size) == 0)
+            return kinds[i].describe(options, err);
     const tl_capture_format *format = tl_capture_format_of(options->path);
     if (format)
         return capture_info(options->path, format, options->report.json, err);

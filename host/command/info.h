@@ -36,4 +36,9 @@ typedef struct info_gbuffer {
 void info_print_gbuffer(const info_gbuffer *of);
 json_t *info_gbuffer_json(const info_gbuffer *of);
 
+/* What a capture of another program would be imported as. */
+struct tl_import_plan;
+void info_print_import(const struct tl_import_plan *plan);
+json_t *info_import_json(const struct tl_import_plan *plan);
+
 #endif

@@ -85,11 +85,13 @@ tl_status job_repair(job *j, const char *name, bool strict, tl_error *err)
     return TL_OK;
 }
 
-tl_status job_read(job *j, const char *path, bool strict, tl_error *err)
+tl_status job_read(
+    job *j, const char *path, const tl_import_options *import, bool strict, tl_error *err)
 {
     tl_status status = TL_OK;
     const double start = tl_seconds();
-    const tl_capture_request request = {.path = path, .notices = &console_notices};
+    const tl_capture_request request = {
+        .path = path, .notices = &console_notices, .import = import};
     tl_captured captured = {0};
     console_stage("reading the G-buffer");
     TRY(tl_capture_read(&request, &captured, err));
@@ -103,7 +105,7 @@ tl_status job_read(job *j, const char *path, bool strict, tl_error *err)
         captured.lights = (tl_light_set){0};
     }
     tl_timings_end(&j->timings, "read", start);
-    TRY(job_repair(j, path, strict, err));
+    TRY(job_repair(j, path ? path : "the capture", strict, err));
 done:
     tl_captured_clear(&captured);
     return status;

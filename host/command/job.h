@@ -7,6 +7,7 @@
 #include "report_options.h"
 #include "tilelight/gbuffer.h"
 #include "tilelight/image.h"
+#include "tilelight/import.h"
 #include "tilelight/lights.h"
 #include "tilelight/report.h"
 
@@ -36,8 +37,10 @@ tl_status job_begin(job *j, const report_options *options, tl_error *err);
 /* Takes the lights from a file, before the work that they are needed for; NULL: does nothing. */
 tl_status job_read_lights(job *j, const char *path, tl_error *err);
 
-/* A G-buffer from a file, repaired; with its lights where none were given. */
-tl_status job_read(job *j, const char *path, bool strict, tl_error *err);
+/* A G-buffer from a capture, repaired; with its lights where none were given. path may be NULL where
+ * `import` maps every plane. */
+tl_status job_read(
+    job *j, const char *path, const tl_import_options *import, bool strict, tl_error *err);
 
 /* The G-buffer in full float, where it is packed. */
 tl_status job_unpack(job *j, tl_error *err);

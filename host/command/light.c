@@ -1,6 +1,7 @@
 /* tilelight light: one G-buffer file to pictures. */
 #include "commands.h"
 #include "console.h"
+#include "import_options.h"
 #include "job_light.h"
 #include "try.h"
 #include "values.h"
@@ -8,6 +9,7 @@
 typedef struct light_options {
     const char *gbuffer;
     lighting_choice lighting;
+    tl_import_options import;
     picture_options pictures;
     report_options report;
 } light_options;
@@ -20,28 +22,29 @@ static error_t parse(int key, char *text, struct argp_state *state)
     if (key == ARGP_KEY_INIT) {
         state->child_inputs[0] = &options->pictures;
         state->child_inputs[1] = &options->lighting;
-        state->child_inputs[2] = &options->report;
+        state->child_inputs[2] = &options->import;
+        state->child_inputs[3] = &options->report;
         return 0;
     }
     if (key == ARGP_KEY_SUCCESS && options->report.json &&
         picture_on_standard_output(&options->pictures))
         argp_error(state, "-o - and --json both want standard output");
-    return value_argument(key, text, state, &arguments);
+    return import_argument(key, text, state, &arguments, &options->import);
 }
 
 static const struct argp_child children[] = {
     {&picture_argp, 0, "Output:", 1},
     {&lighting_argp, 0, "Lighting:", 2},
-    {&report_argp, 0, "Reports:", 3},
+    {&import_argp, 0, "Captures of other programs (docs/file-formats.md):", 3},
+    {&report_argp, 0, "Reports:", 4},
     {0},
 };
 
 static const struct argp argp = {
     .parser = parse,
-    .args_doc = "G.exr",
-    .doc =
-        "Lights a captured G-buffer with the lights of --lights, else those inside the file, "
-        "else a default rig.",
+    .args_doc = "[G.exr]",
+    .doc = "Lights a captured G-buffer, of tilelight or of another program, with the lights of "
+           "--lights, else those inside the file, else a default rig.",
     .children = children,
 };
 
@@ -51,7 +54,7 @@ static tl_status run(job *j, const light_options *options, tl_device **device, t
     TRY(picture_check(&options->pictures, options->gbuffer, err));
     TRY(job_begin(j, &options->report, err));
     TRY(job_prepare_light(j, &options->lighting, device, err));
-    TRY(job_read(j, options->gbuffer, options->lighting.strict, err));
+    TRY(job_read(j, options->gbuffer, &options->import, options->lighting.strict, err));
     TRY(job_light(j, &options->lighting, *device, err));
     TRY(job_write_pictures(j, &options->pictures, err));
     TRY(job_finish(j, &options->report, err));

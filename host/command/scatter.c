@@ -3,6 +3,7 @@
 
 #include "commands.h"
 #include "console.h"
+#include "import_options.h"
 #include "job.h"
 #include "try.h"
 #include "values.h"
@@ -12,6 +13,7 @@
 typedef struct scatter_command {
     const char *gbuffer, *output;
     tl_scatter_options scatter;
+    tl_import_options import;
     report_options report;
 } scatter_command;
 
@@ -42,13 +44,16 @@ static error_t parse_common(int key, char *text, struct argp_state *state)
     scatter_command *options = state->input;
     const value_arguments arguments = {names, &options->gbuffer, 1};
     switch (key) {
-    case ARGP_KEY_INIT: state->child_inputs[0] = &options->report; return 0;
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &options->import;
+        state->child_inputs[1] = &options->report;
+        return 0;
     case 'o':
         output_kind(state, "-o", text, OUTPUT_JSON | OUTPUT_STANDARD);
         options->output = text;
         return 0;
     case ARGP_KEY_SUCCESS: check_together(options, state); return 0;
-    default: return value_argument(key, text, state, &arguments);
+    default: return import_argument(key, text, state, &arguments, &options->import);
     }
 }
 
@@ -91,12 +96,16 @@ static const struct argp_option options_table[] = {
     {0},
 };
 
-static const struct argp_child children[] = {{&report_argp, 0, "Reports:", 1}, {0}};
+static const struct argp_child children[] = {
+    {&import_argp, 0, "Captures of other programs (docs/file-formats.md):", 1},
+    {&report_argp, 0, "Reports:", 2},
+    {0},
+};
 
 static const struct argp argp = {
     .options = options_table,
     .parser = parse,
-    .args_doc = "G.exr",
+    .args_doc = "[G.exr]",
     .doc = "Scatters coloured point lights over the visible surfaces of a G-buffer: the same "
            "ones for the same seed on every machine.",
     .children = children,
@@ -107,7 +116,7 @@ static tl_status run(job *j, const scatter_command *options, tl_error *err)
     tl_status status = TL_OK;
     TRY(output_check(options->output, options->gbuffer, err));
     TRY(job_begin(j, &options->report, err));
-    TRY(job_read(j, options->gbuffer, false, err));
+    TRY(job_read(j, options->gbuffer, &options->import, false, err));
     j->lights.count = 0; /* ambient light and sky of the file stay */
 
     double clock = tl_seconds();

@@ -18,14 +18,46 @@ static bool is_exr(const tl_capture_start *start)
     return start->size >= sizeof magic && memcmp(start->bytes, magic, sizeof magic) == 0;
 }
 
+static bool is_picture(const tl_capture_start *start)
+{
+    return !is_exr(start) && tl_import_recognises(start->bytes, start->size);
+}
+
+static tl_status import(const tl_capture_request *request, tl_captured *out, tl_error *err)
+{
+    const tl_import_options defaults = tl_import_options_default();
+    return tl_import_read(request->path, request->import ? request->import : &defaults,
+                          request->notices, &out->gbuffer, NULL, err);
+}
+
+static bool is_given(const tl_capture_request *request)
+{
+    return request->import && request->import->is_given;
+}
+
+/* Ours say what their numbers mean, and are read bit for bit unless channels are mapped by hand. */
 static tl_status read_exr(const tl_capture_request *request, tl_captured *out, tl_error *err)
 {
-    return tl_gbuffer_read(request->path, &out->gbuffer, &out->lights, &out->has_lights, err);
+    tl_status status = TL_OK;
+    bool is_own = false;
+    TRY(tl_gbuffer_is_own(request->path, &is_own, err));
+    if (!is_own || (request->import && request->import->map_count > 0))
+        TRY(import(request, out, err));
+    else if (is_given(request))
+        TRY(tl_fail(err, TL_ERR_ARGUMENT,
+                    "%s: is a G-buffer of tilelight, which says itself what its numbers mean; "
+                    "leave out the options for captures of other programs",
+                    request->path));
+    else
+        TRY(tl_gbuffer_read(request->path, &out->gbuffer, &out->lights, &out->has_lights, err));
+done:
+    return status;
 }
 
 const tl_capture_format tl_capture_formats[] = {
-    {"OpenEXR", is_exr, read_exr},
-    {"ISPC deferred example", tl_ispc_recognises, tl_ispc_read},
+    {"OpenEXR", is_exr, read_exr, true},
+    {"PFM, PNG (with --map)", is_picture, import, true},
+    {"ISPC deferred example", tl_ispc_recognises, tl_ispc_read, false},
 };
 const size_t tl_capture_format_count = sizeof tl_capture_formats / sizeof tl_capture_formats[0];
 
@@ -79,10 +111,20 @@ tl_status tl_capture_read(const tl_capture_request *request, tl_captured *out, t
     tl_captured read = {0};
     tl_capture_start start;
     const tl_capture_format *format;
+    if (!request->path) {
+        TRY(import(request, &read, err));
+        *out = read;
+        goto done;
+    }
     TRY(read_start(request->path, &start, err));
     format = format_of(&start);
     if (!format)
         TRY(unknown_format(request->path, err));
+    if (is_given(request) && !format->takes_options)
+        TRY(tl_fail(err, TL_ERR_ARGUMENT,
+                    "%s: is of the format %s, which says itself what its numbers mean; leave "
+                    "out the options for captures of other programs",
+                    request->path, format->name));
     TRY(format->read(request, &read, err));
     *out = read;
 done:

@@ -4,6 +4,7 @@
 
 #include "tilelight/gbuffer.h"
 #include "tilelight/image.h"
+#include "tilelight/import.h"
 #include "tilelight/lights.h"
 #include "tilelight/report.h"
 
@@ -21,8 +22,10 @@ typedef struct tl_capture_start {
 
 /* What is to be read. */
 typedef struct tl_capture_request {
-    const char *path;
+    const char *path;          /* NULL where maps of `import` name a file for every plane */
     const tl_notices *notices; /* what was assumed; NULL: nobody listens */
+    const tl_import_options
+        *import; /* what another program's numbers mean; NULL: as by default */
 } tl_capture_request;
 
 /* All zero is empty. */
@@ -39,6 +42,7 @@ typedef struct tl_capture_format {
     bool (*recognises)(const tl_capture_start *start);
     /* Into an empty *out, which it leaves empty where it fails. */
     tl_status (*read)(const tl_capture_request *request, tl_captured *out, tl_error *err);
+    bool takes_options; /* of importing; else it says itself what its numbers mean */
 } tl_capture_format;
 
 /* The first that recognises a file reads it; formats with a magic number stand before others. */
@@ -49,7 +53,8 @@ extern const size_t tl_capture_format_count;
 const tl_capture_format *tl_capture_format_of(const char *path);
 
 /* Reads a capture by the table. Pixels are as the file has them: see tl_gbuffer_repair. The caller
- * releases *out with tl_captured_clear. Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED or
+ * releases *out with tl_captured_clear. Fails with TL_ERR_ARGUMENT where options of importing are given that
+ * the format has no use for; else with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED or
  * TL_ERR_MEMORY. */
 tl_status tl_capture_read(const tl_capture_request *request, tl_captured *out, tl_error *err);
 

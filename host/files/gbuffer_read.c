@@ -152,3 +152,16 @@ done:
     tl_exr_reader_close(&reader);
     return status;
 }
+
+tl_status tl_gbuffer_is_own(const char *path, bool *out, tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_exr_stream stream = {.context = NULL};
+    uint64_t file_size = 0;
+    TRY(tl_exr_stream_open(&stream, path, &file_size, err));
+    const tl_exr_part first = {.stream = &stream};
+    *out = tl_exr_part_attribute(&first, "tilelight:version") != NULL;
+done:
+    tl_exr_stream_close_file(&stream);
+    return status;
+}

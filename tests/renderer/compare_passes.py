@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """How far captures lie from what an independent renderer, Cycles, sees of the same scenes.
 
-    compare_passes.py TILELIGHT RESULT.json NAME=SCENE[@CAMERA]...
+    compare_passes.py TILELIGHT RESULT.json NAME=SCENE[@CAMERA][+SECONDS]...
 
 Writes RESULT.json, a row for each scene; prints the same as a table, and tells results to the file TALLY.
 Ends with 1 where a scene is outside LIMITS. Needs Blender, OpenImageIO's and numpy's Python modules.
@@ -27,13 +27,15 @@ LIMITS = {
     "depth_median": 1e-5,  # of the depth itself
     "normal_median_degrees": 0.1,
     "coverage_differs": 0,  # pixels, but for those at edges
+    "attributes_off_pixels": 0.01,  # rays miss centres by 0.005; float rounds by 0.0005
+    "attributes_depth": 1e-5,  # of the depth itself, median
 }
 PASSES = pathlib.Path(__file__).with_name("cycles_passes.py")
 NEAREST = 9728  # OpenGL's number, and glTF's
 CYCLES_SKY = 1e9  # what lies farther is nothing: Cycles writes 1e10
 
 
-def job_of(capture, scene, output):
+def job_of(capture, scene, time, output):
     attribute = capture.spec.getattribute
     frustum = attribute("tilelight:frustum")
     far = attribute("tilelight:far")
@@ -42,6 +44,7 @@ def job_of(capture, scene, output):
     return {
         "scene": str(pathlib.Path(scene).resolve()),
         "output": str(output),
+        "time": float(time) if time else None,
         "size": SIZE,
         "view_from_world": matrix.tolist(),
         "left_right_bottom_top": [frustum[0], frustum[2], frustum[1], frustum[3]],
@@ -58,17 +61,38 @@ def touching(mask):
     return numpy.any([padded[y:y + h, x:x + w] for y in range(3) for x in range(3)], axis=0)
 
 
+def gltf_axes(vectors):
+    """(x, y, z) of glTF is Blender's (x, -z, y)."""
+    return numpy.stack([vectors[..., 0], vectors[..., 2], -vectors[..., 1]], axis=-1)
+
+
+def compare_attributes(capture, places, pixels):
+    """The camera as OpenEXR defines it, for row vectors, put to what Cycles hit: `places` [n][3] in the world,
+    seen in `pixels`, a pair of [n] rows and columns. How far beside its pixel a place comes to lie, but for one in a
+    thousand (a ray that grazes an edge hits the face beside it), and how far its depth is from the capture's."""
+    rows, columns = pixels
+    world = numpy.concatenate([places, numpy.ones((len(places), 1))], axis=1)
+    matrices = [numpy.array(capture.spec.getattribute(name), dtype=float).reshape(4, 4)
+                for name in ("worldToNDC", "worldToCamera")]
+    ndc, view = world @ matrices[0], world @ matrices[1]
+    x, y = ndc[:, 0] / ndc[:, 3] * SIZE[0] - 0.5, ndc[:, 1] / ndc[:, 3] * SIZE[1] - 0.5
+    depth = numpy.abs(view[:, 2] / capture.planes["Z"][rows, columns] - 1.0)
+    beside = numpy.maximum(abs(x - columns), abs(y - rows))
+    return {"attributes_off_pixels": float(numpy.quantile(beside, 0.999)),
+            "attributes_depth": float(numpy.median(depth))}
+
+
 def compare(capture, cycles):
     ours = capture.planes["Z"].astype(float)
     theirs = cycles.planes["ViewLayer.Depth.Z"].astype(float)
     covered, seen = numpy.isfinite(ours), theirs < CYCLES_SKY
     edges = touching(covered) & touching(~covered)
     both = covered & seen
+    places = gltf_axes(cycles.vectors(["ViewLayer.Position." + axis for axis in "XYZ"])[seen])
     depth = numpy.abs(ours[both] / theirs[both] - 1.0)
 
     a = capture.vectors(["N.X", "N.Y", "N.Z"])[both]
-    b = cycles.vectors(["ViewLayer.Normal.X", "ViewLayer.Normal.Y", "ViewLayer.Normal.Z"])[both]
-    b = numpy.stack([b[:, 0], b[:, 2], -b[:, 1]], axis=-1)
+    b = gltf_axes(cycles.vectors(["ViewLayer.Normal." + axis for axis in "XYZ"])[both])
     # Cycles has no normal where a texture's coordinates have no direction.
     length = numpy.linalg.norm(b, axis=1)
     a, b = a[length > 0.0], b[length > 0.0] / length[length > 0.0, None]
@@ -82,6 +106,7 @@ def compare(capture, cycles):
         "depth_p99": float(numpy.quantile(depth, 0.99)),
         "normal_median_degrees": float(numpy.median(angle)),
         "normal_p99_degrees": float(numpy.quantile(angle, 0.99)),
+        **compare_attributes(capture, places, numpy.nonzero(seen)),
     }
 
 
@@ -117,32 +142,35 @@ def with_nearest_texels(scene, folder):
     return made
 
 
-def measure(tilelight, scene, camera, folder):
+def measure(tilelight, scene, camera, time, folder):
     place = folder / "scene"
     place.mkdir()
     scene = with_nearest_texels(pathlib.Path(scene), place)
     ours, theirs, job = folder / "ours.exr", folder / "theirs.exr", folder / "job.json"
     run(tilelight, "capture", scene, "-o", ours, "--size", "%dx%d" % SIZE,
-        *(["--camera", camera] if camera else []))
+        *(["--camera", camera] if camera else []), *(["--time", time] if time else []))
     capture = Picture(ours)
-    job.write_text(json.dumps(job_of(capture, scene, theirs)))
+    job.write_text(json.dumps(job_of(capture, scene, time, theirs)))
     in_blender(PASSES, job)
     return compare(capture, Picture(theirs))
 
 
 def line(name, row):
     return ("%-28s depth %.1e (p99 %.1e)  normal %.3f deg (p99 %.2f)  coverage off %d, at edges %d"
+            "  camera %.4f px"
             % (name, row["depth_median"], row["depth_p99"], row["normal_median_degrees"],
-               row["normal_p99_degrees"], row["coverage_differs"], row["coverage_differs_at_edges"]))
+               row["normal_p99_degrees"], row["coverage_differs"], row["coverage_differs_at_edges"],
+               row["attributes_off_pixels"]))
 
 
 def main(tilelight, result, *scenes):
     rows, all_within = {}, True
     for named in scenes:
         name, scene = named.split("=", 1)
+        scene, _, time = scene.partition("+")
         scene, _, camera = scene.partition("@")
         with tempfile.TemporaryDirectory() as folder:
-            row = measure(tilelight, scene, camera, pathlib.Path(folder))
+            row = measure(tilelight, scene, camera, time, pathlib.Path(folder))
         rows[name] = row
         print(line(name, row), flush=True)
         # Written so that not-a-number is outside, too.

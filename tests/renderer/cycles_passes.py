@@ -3,7 +3,7 @@
     blender --background --factory-startup --python cycles_passes.py -- JOB.json
 
 JOB.json has "scene" (glTF), "output", "size" [width, height], "view_from_world" [4][4] and
-"left_right_bottom_top", "orthographic", "near", "far" as a capture states them.
+"left_right_bottom_top", "orthographic", "near", "far" as a capture states them, and "time" in seconds or null.
 
 Of Cycles everything is taken that could be told otherwise by our own code: reading the file, tangents,
 textures, projection, visibility. Rays go through the centres of pixels.
@@ -79,7 +79,7 @@ def set_up_render(job):
     cycles.filter_width = NARROWEST_FILTER
     cycles.max_bounces = 0
     cycles.transparent_max_bounces = 64
-    layer.use_pass_z = layer.use_pass_normal = layer.use_pass_diffuse_color = True
+    layer.use_pass_z = layer.use_pass_normal = layer.use_pass_position = True
     render.image_settings.file_format = "OPEN_EXR_MULTILAYER"
     render.image_settings.color_depth = "32"
     render.filepath = job["output"]
@@ -90,6 +90,9 @@ def main():
         job = json.load(file)
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.ops.import_scene.gltf(filepath=job["scene"])
+    if job["time"] is not None:
+        frame = job["time"] * bpy.context.scene.render.fps
+        bpy.context.scene.frame_set(math.floor(frame), subframe=frame % 1.0)
     hide_back_faces()
     add_camera(job)
     set_up_render(job)

@@ -27,6 +27,10 @@ tl_status tl_gbuffer_write(const char *path,
 tl_status tl_gbuffer_read(
     const char *path, tl_gbuffer **out, tl_light_set *lights, bool *has_lights, tl_error *err);
 
+/* Whether an OpenEXR file is a G-buffer of tilelight's, of whatever version: what tl_gbuffer_read is for.
+ * Fails as it does, for a file that is no OpenEXR file. */
+tl_status tl_gbuffer_is_own(const char *path, bool *out, tl_error *err);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,0 +1,133 @@
+#define _POSIX_C_SOURCE 200809L
+#include "source.h"
+
+#include "tilelight/import.h"
+#include "try.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+const tl_source_format *const tl_source_formats[] = {&tl_source_exr, &tl_source_pfm,
+                                                     &tl_source_png};
+const size_t tl_source_format_count = sizeof tl_source_formats / sizeof tl_source_formats[0];
+
+static const tl_source_format *format_of(const unsigned char *bytes, size_t size)
+{
+    for (size_t i = 0; i < tl_source_format_count; i++)
+        if (tl_source_formats[i]->recognises(bytes, size))
+            return tl_source_formats[i];
+    return NULL;
+}
+
+bool tl_import_recognises(const unsigned char *bytes, size_t size)
+{
+    return format_of(bytes, size) != NULL;
+}
+
+static tl_status read_start(tl_source *source, tl_error *err)
+{
+    tl_status status = TL_OK;
+    unsigned char bytes[64];
+    struct stat seen;
+    const char *path = source->path;
+    const int descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (descriptor < 0)
+        return tl_fail(err, TL_ERR_READ, "%s: cannot be opened: %s", path, strerror(errno));
+    if (fstat(descriptor, &seen) != 0 || !S_ISREG(seen.st_mode))
+        TRY(tl_fail(err, TL_ERR_READ, "%s: cannot be read: it is no regular file", path));
+    const ssize_t got = pread(descriptor, bytes, sizeof bytes, 0);
+    if (got < 0)
+        TRY(tl_fail(err, TL_ERR_READ, "%s: cannot be read: %s", path, strerror(errno)));
+    source->format = format_of(bytes, (size_t)got);
+    source->file_size = (uint64_t)seen.st_size;
+    if (!source->format)
+        TRY(tl_fail(err, TL_ERR_FORMAT, "%s: is neither OpenEXR nor PFM nor PNG", path));
+done:
+    close(descriptor);
+    return status;
+}
+
+tl_status tl_source_open(tl_source *source, const char *path, tl_error *err)
+{
+    tl_status status = TL_OK;
+    *source = (tl_source){.path = path};
+    TRY(read_start(source, err));
+    TRY(source->format->open(source, err));
+done:
+    if (status != TL_OK)
+        tl_source_close(source);
+    return status;
+}
+
+void tl_source_close(tl_source *source)
+{
+    if (source->format)
+        source->format->close(source);
+    free(source->parts);
+    free(source->channels);
+    *source = (tl_source){0};
+}
+
+/* Arrays grow by doubling: at powers of two. */
+static void *grown(void *array, uint32_t count, size_t size)
+{
+    if (count > 0 && (count & (count - 1)) != 0)
+        return array;
+    return realloc(array, (count ? 2 * (size_t)count : 1) * size);
+}
+
+tl_status tl_source_add_part(tl_source *source, const tl_source_part *part, tl_error *err)
+{
+    void *parts = grown(source->parts, source->part_count, sizeof *part);
+    if (!parts)
+        return tl_fail(err, TL_ERR_MEMORY, "%s: out of memory for its parts", source->path);
+    source->parts = parts;
+    source->parts[source->part_count++] = *part;
+    return TL_OK;
+}
+
+tl_status tl_source_add_channel(tl_source *source,
+                                const tl_source_channel *channel,
+                                tl_error *err)
+{
+    if (source->channel_count == TL_MAX_SOURCE_CHANNELS)
+        return tl_fail(err, TL_ERR_FORMAT, "%s: has more channels than the %d that are read",
+                       source->path, TL_MAX_SOURCE_CHANNELS);
+    void *channels = grown(source->channels, source->channel_count, sizeof *channel);
+    if (!channels)
+        return tl_fail(err, TL_ERR_MEMORY, "%s: out of memory for its channels", source->path);
+    source->channels = channels;
+    source->channels[source->channel_count++] = *channel;
+    return TL_OK;
+}
+
+const exr_attribute_t *tl_source_attribute(const tl_source *source,
+                                           uint32_t part,
+                                           const char *name)
+{
+    return source->format == &tl_source_exr
+               ? tl_exr_part_attribute(&source->parts[part].exr, name)
+               : NULL;
+}
+
+bool tl_source_attribute_begins(const tl_source *source, uint32_t part, const char *start)
+{
+    const exr_attribute_t *attribute;
+    int count = 0;
+    if (source->format != &tl_source_exr)
+        return false;
+    const tl_exr_part *exr = &source->parts[part].exr;
+    if (exr_get_attribute_count(exr->stream->context, exr->index, &count) != EXR_ERR_SUCCESS)
+        return false;
+    for (int i = 0; i < count; i++)
+        if (exr_get_attribute_by_index(exr->stream->context, exr->index,
+                                       EXR_ATTR_LIST_FILE_ORDER, i,
+                                       &attribute) == EXR_ERR_SUCCESS &&
+            strncmp(attribute->name, start, strlen(start)) == 0)
+            return true;
+    return false;
+}

@@ -1,0 +1,152 @@
+/* OpenEXR files of any number of parts as sources. */
+#include "size_limit.h"
+#include "source.h"
+#include "tilelight/camera.h"
+#include "try.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool recognises(const unsigned char *bytes, size_t size)
+{
+    static const unsigned char magic[] = {0x76, 0x2f, 0x31, 0x01};
+    return size >= sizeof magic && memcmp(bytes, magic, sizeof magic) == 0;
+}
+
+static const char *compression_words(exr_compression_t compression)
+{
+    static const char *const words[] = {
+        [EXR_COMPRESSION_NONE] = "none", [EXR_COMPRESSION_RLE] = "rle",
+        [EXR_COMPRESSION_ZIPS] = "zips", [EXR_COMPRESSION_ZIP] = "zip",
+        [EXR_COMPRESSION_PIZ] = "piz",   [EXR_COMPRESSION_PXR24] = "pxr24",
+        [EXR_COMPRESSION_B44] = "b44",   [EXR_COMPRESSION_B44A] = "b44a",
+        [EXR_COMPRESSION_DWAA] = "dwaa", [EXR_COMPRESSION_DWAB] = "dwab",
+    };
+    const size_t count = sizeof words / sizeof words[0];
+    return (size_t)compression < count ? words[compression] : "unknown";
+}
+
+/* The frame is the display window. */
+static void find_frame(tl_source *source, tl_source_part *part)
+{
+    const exr_attr_box2i_t *display = &part->exr.display;
+    const int64_t width = (int64_t)display->max.x - display->min.x + 1;
+    const int64_t height = (int64_t)display->max.y - display->min.y + 1;
+    if (width < 1 || width > TL_MAX_EXTENT || height < 1 || height > TL_MAX_EXTENT) {
+        snprintf(part->refusal, sizeof part->refusal,
+                 "%.300s: its display window is %" PRId64 " x %" PRId64
+                 " pixels; 1 to %d per side are read",
+                 source->path, width, height, TL_MAX_EXTENT);
+        return;
+    }
+    part->width = (uint32_t)width;
+    part->height = (uint32_t)height;
+}
+
+static tl_status add_part(tl_source *source, int index, tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_error reason = {.status = TL_OK};
+    tl_source_part part = {.name = ""};
+    const tl_status opened =
+        tl_exr_part_open(&source->stream, source->file_size, index, &part.exr, &reason);
+    if (opened != TL_OK && opened != TL_ERR_FORMAT && opened != TL_ERR_UNSUPPORTED)
+        TRY(tl_fail(err, opened, "%s", reason.message));
+    part.name = part.exr.name;
+    part.storage = tl_exr_storage_words(part.exr.storage);
+    part.compression = compression_words(part.exr.compression);
+    if (opened == TL_OK)
+        find_frame(source, &part);
+    else
+        snprintf(part.refusal, sizeof part.refusal, "%.500s", reason.message);
+    const uint32_t at = source->part_count;
+    TRY(tl_source_add_part(source, &part, err));
+    for (int i = 0; part.exr.channels && i < part.exr.channels->num_channels; i++) {
+        const exr_attr_chlist_entry_t *entry = &part.exr.channels->entries[i];
+        const tl_source_channel channel = {.part = at,
+                                           .name = entry->name.str,
+                                           .type = tl_exr_type_words[entry->pixel_type],
+                                           .is_number = !part.refusal[0] &&
+                                                        entry->pixel_type != EXR_PIXEL_UINT};
+        TRY(tl_source_add_channel(source, &channel, err));
+    }
+done:
+    return status;
+}
+
+static tl_status open_exr(tl_source *source, tl_error *err)
+{
+    tl_status status = TL_OK;
+    int count = 0;
+    TRY(tl_exr_stream_open(&source->stream, source->path, &source->file_size, err));
+    TRY(tl_exr_check(&source->stream, exr_get_count(source->stream.context, &count), err));
+    if (count < 1 || count > TL_MAX_SOURCE_PARTS)
+        TRY(tl_fail(err, TL_ERR_FORMAT, "%s: has %d parts; 1 to %d are read", source->path,
+                    count, TL_MAX_SOURCE_PARTS));
+    for (int i = 0; i < count; i++)
+        TRY(add_part(source, i, err));
+done:
+    return status;
+}
+
+/* What both windows cover, from a picture of the data window into one of the display window. */
+static void copy_overlap(const tl_exr_part *part, const float *from, float *to, size_t pitch)
+{
+    const exr_attr_box2i_t *data = &part->data, *display = &part->display;
+    const int64_t left = data->min.x > display->min.x ? data->min.x : display->min.x;
+    const int64_t right = data->max.x < display->max.x ? data->max.x : display->max.x;
+    const int64_t top = data->min.y > display->min.y ? data->min.y : display->min.y;
+    const int64_t bottom = data->max.y < display->max.y ? data->max.y : display->max.y;
+    for (int64_t y = top; y <= bottom && left <= right; y++)
+        memcpy(to + (size_t)(y - display->min.y) * pitch + (size_t)(left - display->min.x),
+               from + (size_t)(y - data->min.y) * part->width + (size_t)(left - data->min.x),
+               (size_t)(right - left + 1) * sizeof *to);
+}
+
+static bool is_uncropped(const tl_exr_part *part)
+{
+    return memcmp(&part->data, &part->display, sizeof part->data) == 0;
+}
+
+static tl_status read_exr(tl_source *source,
+                          const uint32_t *indices,
+                          float *const *planes,
+                          size_t count,
+                          size_t pitch,
+                          tl_error *err)
+{
+    enum { MOST = 3 };
+    tl_status status = TL_OK;
+    tl_exr_target targets[MOST];
+    float *cropped[MOST] = {NULL, NULL, NULL};
+    const tl_exr_part *part = &source->parts[source->channels[indices[0]].part].exr;
+    const bool is_direct = is_uncropped(part);
+    const size_t pixels = (size_t)part->width * part->height;
+    if (!is_direct)
+        TRY(tl_check_decoded_size(source->path, source->file_size,
+                                  (uint64_t)count * pixels * sizeof(float), err));
+    for (size_t i = 0; i < count; i++) {
+        if (!is_direct && !(cropped[i] = malloc(pixels * sizeof(float))))
+            TRY(tl_fail(err, TL_ERR_MEMORY, "%s: out of memory for channel \"%s\"",
+                        source->path, source->channels[indices[i]].name));
+        targets[i] = (tl_exr_target){.channel = source->channels[indices[i]].name,
+                                     .held = EXR_PIXEL_FLOAT,
+                                     .plane = is_direct ? planes[i] : cropped[i]};
+    }
+    TRY(tl_exr_part_pixels(part, targets, count, is_direct ? pitch : part->width, err));
+    for (size_t i = 0; i < count && !is_direct; i++)
+        copy_overlap(part, cropped[i], planes[i], pitch);
+done:
+    for (size_t i = 0; i < MOST; i++)
+        free(cropped[i]);
+    return status;
+}
+
+static void close_exr(tl_source *source)
+{
+    tl_exr_stream_close_file(&source->stream);
+}
+
+const tl_source_format tl_source_exr = {"OpenEXR", recognises, open_exr, read_exr, close_exr};
