@@ -25,6 +25,7 @@ typedef struct exr_recipe {
     const char *wrong_attribute; /* written with the type double */
     const char *projection, *layout, *lights;
     int version;
+    int samples; /* 0: no attribute */
     float near;
     int second_part;
 } exr_recipe;
@@ -85,6 +86,8 @@ static inline void exr_recipe_attributes(const exr_recipe *recipe, exr_context_t
         exr_must(exr_attr_set_int(file, 0, "tilelight:version",
                                   recipe->version ? recipe->version : 1),
                  "version");
+    if (recipe->samples != 0 && !exr_recipe_wrongs(recipe, file, "tilelight:samples"))
+        exr_must(exr_attr_set_int(file, 0, "tilelight:samples", recipe->samples), "samples");
     if (exr_recipe_wants(recipe, "tilelight:near"))
         exr_must(exr_attr_set_float(file, 0, "tilelight:near",
                                     recipe->near != 0.0f ? recipe->near : 0.5f),

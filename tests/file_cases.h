@@ -91,6 +91,8 @@ static inline void assert_same_gbuffer(const char *name,
 {
     if (a->present != b->present || a->pitch != b->pitch || a->rows != b->rows)
         fail_msg("%s: planes %x or pitch differ from %x", name, a->present, b->present);
+    if (a->samples != b->samples)
+        fail_msg("%s: %u samples of a pixel, not %u", name, a->samples, b->samples);
     if (memcmp(&a->camera, &b->camera, sizeof a->camera) != 0)
         fail_msg("%s: the camera differs", name);
     const size_t count = (size_t)__builtin_popcount(a->present) * a->pitch * a->rows;

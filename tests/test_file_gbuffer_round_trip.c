@@ -19,7 +19,10 @@ static const uint32_t plane_sets[] = {
     TL_GROUP_BASE | TL_GROUP_METAL_ROUGH | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE,
 };
 
-static void assert_round_trip(const char *name, const tl_camera *camera, uint32_t present)
+static void assert_round_trip_of(const char *name,
+                                 const tl_camera *camera,
+                                 uint32_t present,
+                                 uint32_t samples)
 {
     char path[512];
     tl_error err;
@@ -29,6 +32,7 @@ static void assert_round_trip(const char *name, const tl_camera *camera, uint32_
     scratch_path(path, sizeof path, "round_trip.exr");
     ASSERT_OK(tl_gbuffer_create(camera, present, &written, &err), err);
     fill_awkward(written, present + camera->width);
+    written->samples = samples;
     ASSERT_OK(tl_gbuffer_write(path, written, NULL, &err), err);
     ASSERT_OK(tl_gbuffer_read(path, &read, &lights, &has_lights, &err), err);
     assert_same_gbuffer(name, read, written);
@@ -37,6 +41,20 @@ static void assert_round_trip(const char *name, const tl_camera *camera, uint32_
     tl_gbuffer_destroy(read);
     tl_gbuffer_destroy(written);
     remove(path);
+}
+
+static void assert_round_trip(const char *name, const tl_camera *camera, uint32_t present)
+{
+    assert_round_trip_of(name, camera, present, 1);
+}
+
+static void samples_of_a_pixel(void **state)
+{
+    (void)state;
+    for (uint32_t side = 1; side <= 8; side++) {
+        const tl_camera camera = awkward_camera(3 * side, 2 * side);
+        assert_round_trip_of("samples", &camera, TL_GROUP_BASE, side * side);
+    }
 }
 
 static void sizes_and_planes(void **state)
@@ -144,6 +162,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sizes_and_planes),
+        cmocka_unit_test(samples_of_a_pixel),
         cmocka_unit_test(cameras),
         cmocka_unit_test(lights_go_along),
         cmocka_unit_test(threads_change_nothing),

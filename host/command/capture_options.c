@@ -9,10 +9,13 @@ enum {
     OPTION_ANISOTROPY,
     OPTION_TIME,
     OPTION_ANIMATION,
-    OPTION_VARIANT
+    OPTION_VARIANT,
+    OPTION_SAMPLES
 };
 
 static const uint32_t anisotropies[] = {1, 2, 4, 8, TL_MAX_ANISOTROPY};
+
+static const uint32_t sample_counts[] = {1, 4, 9, 16, 25, 36, 49, TL_MAX_SAMPLES};
 
 static error_t parse(int key, char *text, struct argp_state *state)
 {
@@ -27,6 +30,10 @@ static error_t parse(int key, char *text, struct argp_state *state)
         options->has_time = true;
         return 0;
     case OPTION_ANIMATION: options->animation = text; return 0;
+    case OPTION_SAMPLES:
+        options->samples = value_among(state, "--samples", text, sample_counts,
+                                       sizeof sample_counts / sizeof sample_counts[0]);
+        return 0;
     case OPTION_VARIANT: options->variant = text; return 0;
     case OPTION_LAYOUT: options->layout = value_layout(state, "--layout", text); return 0;
     case OPTION_ANISOTROPY:
@@ -39,6 +46,11 @@ static error_t parse(int key, char *text, struct argp_state *state)
 
 static const struct argp_option options_table[] = {
     {"size", OPTION_SIZE, "WIDTHxHEIGHT", 0, "Pixels, each 1 to 16384 (default 1280x720)", 0},
+    {"samples", OPTION_SAMPLES, "N", 0,
+     "Samples of each pixel, a square number: 1, 4, 9 ... 64 (default 1). Each one is lit, and "
+     "the picture "
+     "has their mean; all takes N times as long and N times the memory",
+     0},
     {"camera", OPTION_CAMERA, "NAME|INDEX", 0,
      "A camera of the file (default: the first of its scene, else a view of the whole scene)",
      0},

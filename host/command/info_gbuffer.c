@@ -79,11 +79,20 @@ static void print_layout(const tl_gbuffer *g)
                channel_size(g, &channels[i]));
 }
 
+static void print_samples(const tl_gbuffer *g)
+{
+    const uint32_t side = tl_samples_side(g->samples);
+    if (side > 1)
+        printf("samples     %u x %u for each pixel of a picture of %u x %u\n", side, side,
+               g->camera.width / side, g->camera.height / side);
+}
+
 void info_print_gbuffer(const info_gbuffer *of)
 {
     const tl_gbuffer *g = of->pixels;
     printf("G-buffer    %u x %u pixels, %.2f %% covered\n", g->camera.width, g->camera.height,
            100.0 * coverage(g));
+    print_samples(g);
     print_layout(of->file);
     print_camera(&g->camera);
     printf("%-12s %12s %12s %12s\n", "plane", "min", "mean", "max");
@@ -140,10 +149,11 @@ json_t *info_gbuffer_json(const info_gbuffer *of)
         const info_values values = measure(g, p);
         json_object_set_new(measured, planes[p].channel, info_values_json(&values));
     }
-    return json_pack("{ss s[ii] sf ss si so so so so}", "kind", "gbuffer", "size",
-                     (int)g->camera.width, (int)g->camera.height, "coverage", coverage(g),
-                     "layout", tl_layout_word(of->file->layout), "bytes_per_pixel",
-                     (int)tl_gbuffer_pixel_size(of->file), "channels", channels_json(of->file),
-                     "camera", camera_json(&g->camera), "planes", measured, "lights",
+    return json_pack("{ss s[ii] si sf ss si so so so so}", "kind", "gbuffer", "size",
+                     (int)g->camera.width, (int)g->camera.height, "samples", (int)g->samples,
+                     "coverage", coverage(g), "layout", tl_layout_word(of->file->layout),
+                     "bytes_per_pixel", (int)tl_gbuffer_pixel_size(of->file), "channels",
+                     channels_json(of->file), "camera", camera_json(&g->camera), "planes",
+                     measured, "lights",
                      of->has_lights ? info_lights_json(of->lights) : json_null());
 }

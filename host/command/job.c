@@ -75,6 +75,7 @@ tl_status job_repair(job *j, const char *name, bool strict, tl_error *err)
     job_report(
         j, "size",
         json_pack("[ii]", (int)j->gbuffer->camera.width, (int)j->gbuffer->camera.height));
+    job_report(j, "samples", json_integer((json_int_t)j->gbuffer->samples));
     job_report(j, "layout", json_string(tl_layout_word(j->gbuffer->layout)));
     job_report(j, "pixel_bytes",
                json_pack("{sI sI}", "all", (json_int_t)tl_gbuffer_pixel_size(j->gbuffer),

@@ -65,6 +65,23 @@ static void tell_model(const job *j)
             words[j->lights.model]);
 }
 
+/* The picture of samples becomes one of pixels. */
+static tl_status resolve(job *j, tl_error *err)
+{
+    const uint32_t side = tl_samples_side(j->gbuffer->samples);
+    const double start = tl_seconds();
+    tl_image *pixels = NULL;
+    if (side == 1)
+        return TL_OK;
+    const tl_status status = tl_image_resolve(j->image, side, &pixels, err);
+    if (status != TL_OK)
+        return status;
+    tl_image_destroy(j->image);
+    j->image = pixels;
+    tl_timings_end(&j->timings, "resolve", start);
+    return TL_OK;
+}
+
 tl_status job_light(job *j, const lighting_choice *choice, tl_device *device, tl_error *err)
 {
     tl_status status = TL_OK;
@@ -79,6 +96,7 @@ tl_status job_light(job *j, const lighting_choice *choice, tl_device *device, tl
     TRY(tl_lighting_create(device, &choice->options, &lighting, err));
     TRY(tl_lighting_run(lighting, j->gbuffer, &j->lights, j->image, &j->timings,
                         &console_notices, &counts, err));
+    TRY(resolve(j, err));
     report_counts(j, &counts);
     if (counts.first_kernel_s > 0.0)
         j->first_kernel_ms = 1e3 * (counts.first_kernel_s - j->start_s);

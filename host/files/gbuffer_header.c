@@ -136,6 +136,32 @@ done:
     return status;
 }
 
+/* Without the attribute a pixel is a sample. */
+static tl_status read_samples(tl_exr_reader *reader, uint32_t *out, tl_error *err)
+{
+    static const char attribute[] = "tilelight:samples";
+    const char *path = reader->stream.path;
+    int32_t samples = 1;
+    *out = 1;
+    if (!tl_exr_reader_has_attribute(reader, attribute))
+        return TL_OK;
+    if (exr_attr_get_int(reader->stream.context, 0, attribute, &samples) != EXR_ERR_SUCCESS)
+        return tl_fail(err, TL_ERR_FORMAT, "%s: attribute \"%s\" is not of type int", path,
+                       attribute);
+    const uint32_t side = samples > 0 ? tl_samples_side((uint32_t)samples) : 0;
+    if (side == 0)
+        return tl_fail(err, TL_ERR_FORMAT,
+                       "%s: attribute \"%s\" is %" PRId32
+                       ", which is no square number from 1 to %d",
+                       path, attribute, samples, TL_MAX_SAMPLES);
+    if (reader->width % side || reader->height % side)
+        return tl_fail(err, TL_ERR_FORMAT,
+                       "%s: %u x %u pixels are no whole number of %u x %u samples", path,
+                       reader->width, reader->height, side, side);
+    *out = (uint32_t)samples;
+    return TL_OK;
+}
+
 tl_status tl_gbuffer_header_read(tl_exr_reader *reader, tl_gbuffer_header *out, tl_error *err)
 {
     tl_status status = TL_OK;
@@ -144,6 +170,7 @@ tl_status tl_gbuffer_header_read(tl_exr_reader *reader, tl_gbuffer_header *out, 
     TRY(read_layout(reader, &out->layout, err));
     TRY(tl_camera_attributes_read(&reader->stream, reader->width, reader->height, &out->camera,
                                   err));
+    TRY(read_samples(reader, &out->samples, err));
     if (out->layout == TL_LAYOUT_FLOAT)
         TRY(find_planes(reader, &out->present, err));
     else

@@ -11,6 +11,7 @@ typedef struct tl_gbuffer_header {
     tl_camera camera;
     enum tl_layout_name layout;
     uint32_t present; /* planes, as tl_gbuffer has them */
+    uint32_t samples; /* as tl_gbuffer has them */
     tl_word_channel channels[TL_MAX_WORDS];
     size_t channel_count;
 } tl_gbuffer_header;

@@ -23,8 +23,10 @@ static tl_status create(const tl_exr_reader *reader,
     if (status != TL_OK)
         return status;
     status = tl_gbuffer_create_packed(&of->camera, of->layout, of->present, out, &reason);
-    if (status == TL_OK)
+    if (status == TL_OK) {
+        (*out)->samples = of->samples;
         return TL_OK;
+    }
     return tl_fail(err, status == TL_ERR_MEMORY ? status : TL_ERR_FORMAT, "%s: %.3000s",
                    reader->stream.path, reason.message);
 }

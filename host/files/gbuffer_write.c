@@ -77,6 +77,10 @@ static tl_status set_attributes(tl_exr_stream *stream,
     if (gbuffer->layout != TL_LAYOUT_FLOAT)
         TRY(tl_exr_check(stream, exr_attr_set_string(context, 0, "tilelight:planes", planes),
                          err));
+    if (gbuffer->samples > 1)
+        TRY(tl_exr_check(
+            stream,
+            exr_attr_set_int(context, 0, "tilelight:samples", (int32_t)gbuffer->samples), err));
     TRY(tl_camera_attributes_write(stream, &gbuffer->camera, err));
     if (lights) {
         TRY(tl_lights_format(lights, &text, err));

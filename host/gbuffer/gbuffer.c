@@ -17,6 +17,14 @@ const tl_plane_group tl_plane_groups[TL_PLANE_GROUP_COUNT] = {
     {"emissive", TL_GROUP_EMISSIVE},
 };
 
+uint32_t tl_samples_side(uint32_t samples)
+{
+    uint32_t side = 0;
+    while (side * side < samples && samples <= TL_MAX_SAMPLES)
+        side++;
+    return side * side == samples ? side : 0;
+}
+
 tl_status tl_planes_check(uint32_t present, tl_error *err)
 {
     if ((present & TL_GROUP_BASE) != TL_GROUP_BASE)
@@ -73,6 +81,7 @@ tl_status tl_gbuffer_create_packed(const tl_camera *camera,
     if (!made)
         TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for a G-buffer"));
     made->camera = *camera;
+    made->samples = 1;
     made->layout = layout;
     made->present = present;
     made->pitch = tl_plane_pitch(camera->width);

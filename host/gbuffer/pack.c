@@ -101,6 +101,7 @@ tl_status tl_gbuffer_pack(const tl_gbuffer *from,
                     "shininess, which they cannot say",
                     tl_layout_word(layout)));
     TRY(tl_gbuffer_create_packed(&from->camera, layout, offered & can_hold, &made, err));
+    made->samples = from->samples;
     for (int p = 0; p < TL_PLANE_COUNT; p++)
         j.planes[p] = tl_gbuffer_plane(from, (enum tl_plane)p);
     j.to = made;

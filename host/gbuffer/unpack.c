@@ -93,6 +93,7 @@ tl_status tl_gbuffer_unpack(const tl_gbuffer *from, tl_gbuffer **out, tl_error *
     const tl_status status = tl_gbuffer_create(&from->camera, from->present, &j.to, err);
     if (status != TL_OK)
         return status;
+    j.to->samples = from->samples;
     tl_parallel(j.to->camera.height, 4, unpack_rows, &j);
     *out = j.to;
     return TL_OK;

@@ -23,6 +23,25 @@ static uint32_t planes_of(const tl_model *model)
     return present;
 }
 
+static tl_status check_samples(const tl_capture_options *options,
+                               uint32_t width,
+                               uint32_t height,
+                               tl_error *err)
+{
+    const uint32_t side = tl_samples_side(options->samples ? options->samples : 1);
+    if (side == 0)
+        return tl_fail(err, TL_ERR_ARGUMENT,
+                       "cannot capture %u samples of a pixel: a square number from 1 to %d",
+                       options->samples, TL_MAX_SAMPLES);
+    if (side * width > TL_MAX_EXTENT || side * height > TL_MAX_EXTENT)
+        return tl_fail(
+            err, TL_ERR_ARGUMENT,
+            "cannot capture %u x %u pixels of %u samples: they are a grid of %u x %u, and %d "
+            "per side is the most; choose a smaller size or fewer samples",
+            width, height, side * side, side * width, side * height, TL_MAX_EXTENT);
+    return TL_OK;
+}
+
 static tl_status check_options(const tl_capture_options *options, tl_error *err)
 {
     if (options->width > TL_MAX_EXTENT || options->height > TL_MAX_EXTENT ||
@@ -66,6 +85,7 @@ static tl_status render(const tl_model *model,
 
     TRY(tl_gbuffer_create_packed(camera, layout, stored_planes(model, layout, notices),
                                  &gbuffer, err));
+    gbuffer->samples = options->samples ? options->samples : 1;
     TRY(tl_gl_open(&gl, err));
     TRY(tl_upload(gl, model, &objects, timings, err));
     TRY(tl_geometry_pass(gl, model, &objects, anisotropy, gbuffer, timings, err));
@@ -97,10 +117,14 @@ tl_status tl_capture(const char *path,
     const double clock = tl_seconds();
 
     TRY(check_options(options, err));
+    TRY(check_samples(options, width, height, err));
     TRY(tl_model_load(path, &moment, options->variant, notices, &model, err));
     TRY(tl_model_lights(model, &found, err));
     TRY(tl_model_camera(model, options->camera, width, height, notices, &camera, err));
     tl_timings_end(timings, "load", clock);
+    /* The edges are the picture's, whatever its samples. */
+    camera.width *= tl_samples_side(options->samples ? options->samples : 1);
+    camera.height *= tl_samples_side(options->samples ? options->samples : 1);
     TRY(render(model, &camera, options, out, timings, notices, err));
 
     tl_light_set_clear(lights);

@@ -21,8 +21,18 @@ extern "C" {
 /* Rows and pitch are multiples of this: the largest tile, and more than a cache line. */
 enum { TL_PADDING = 64 };
 
+/* Of a pixel of the picture, at most: 8 x 8. */
+enum { TL_MAX_SAMPLES = 64 };
+
+/* The side of the square that a pixel's samples make, 1 to 8; 0 where `samples` is none of 1, 4, 9 ...
+ * TL_MAX_SAMPLES. */
+uint32_t tl_samples_side(uint32_t samples);
+
 typedef struct tl_gbuffer {
     tl_camera camera;
+    /* Of each pixel of the picture that it is lit to (tl_image_resolve): every sample is a pixel here, and has its
+     * own surface. The camera counts samples: its width and height are multiples of their side. */
+    uint32_t samples;
     enum tl_layout_name layout;
     uint32_t
         present; /* bit p: plane p can be had; a union of TL_GROUP_... with TL_GROUP_BASE */
@@ -49,7 +59,7 @@ typedef struct tl_plane_group {
 enum { TL_PLANE_GROUP_COUNT = 6 };
 extern const tl_plane_group tl_plane_groups[TL_PLANE_GROUP_COUNT];
 
-/* In full float; every pixel is sky. The caller releases *out with tl_gbuffer_destroy. Fails with
+/* In full float; every pixel is sky, and a sample of its own. The caller releases *out with tl_gbuffer_destroy. Fails with
  * TL_ERR_ARGUMENT (tl_camera_check; an incomplete group in `present`; both the Phong and the
  * metal-rough group) or TL_ERR_MEMORY. */
 tl_status tl_gbuffer_create(const tl_camera *camera,

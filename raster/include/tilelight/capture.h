@@ -15,7 +15,9 @@ extern "C" {
 enum { TL_DEFAULT_ANISOTROPY = 16, TL_MAX_ANISOTROPY = 16 };
 
 typedef struct tl_capture_options {
-    uint32_t width, height; /* px; 0: 1280 x 720 */
+    uint32_t width, height; /* px of the picture; 0: 1280 x 720 */
+    uint32_t samples; /* of each of them, a square number up to TL_MAX_SAMPLES; 0: 1. width and height times its
+                       * root are TL_MAX_EXTENT at most */
     const char *camera; /* name or index; NULL: the first of the default scene, else framed */
     const char *variant; /* of the materials, by name or index; NULL: the file's own materials */
     enum tl_layout_name layout; /* how pixels are packed; 0 is full float */
@@ -35,7 +37,7 @@ typedef struct tl_capture_options {
  * place for is named in a notice.
  * Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED (an extension the file requires; a layout whose
  * convention of depth this camera has not),
- * TL_ERR_ARGUMENT (size, camera, anisotropy, time, animation, variant), TL_ERR_MEMORY or TL_ERR_DEVICE (OpenGL), naming the file and
+ * TL_ERR_ARGUMENT (size, samples, camera, anisotropy, time, animation, variant), TL_ERR_MEMORY or TL_ERR_DEVICE (OpenGL), naming the file and
  * the node, mesh, accessor, image or extension concerned. */
 tl_status tl_capture(const char *path,
                      const tl_capture_options *options,
