@@ -3,7 +3,8 @@
     blender --background --factory-startup --python cycles_passes.py -- JOB.json
 
 JOB.json has "scene" (glTF), "output", "size" [width, height], "view_from_world" [4][4] and
-"left_right_bottom_top", "orthographic", "near", "far" as a capture states them, and "time" in seconds or null.
+"left_right_bottom_top", "orthographic", "near", "far" as a capture states them; or, in place of these, "recipe":
+Python text to run once the scene is there, which is then seen by a camera of its own. "time": seconds, or absent.
 
 Of Cycles everything is taken that could be told otherwise by our own code: reading the file, tangents,
 textures, projection, visibility. Rays go through the centres of pixels.
@@ -79,7 +80,8 @@ def set_up_render(job):
     cycles.filter_width = NARROWEST_FILTER
     cycles.max_bounces = 0
     cycles.transparent_max_bounces = 64
-    layer.use_pass_z = layer.use_pass_normal = layer.use_pass_position = True
+    layer.use_pass_z = layer.use_pass_normal = True
+    layer.use_pass_position = layer.use_pass_diffuse_color = True
     render.image_settings.file_format = "OPEN_EXR_MULTILAYER"
     render.image_settings.color_depth = "32"
     render.filepath = job["output"]
@@ -90,12 +92,17 @@ def main():
         job = json.load(file)
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.ops.import_scene.gltf(filepath=job["scene"])
-    if job["time"] is not None:
+    if job.get("time") is not None:
         frame = job["time"] * bpy.context.scene.render.fps
         bpy.context.scene.frame_set(math.floor(frame), subframe=frame % 1.0)
     hide_back_faces()
-    add_camera(job)
     set_up_render(job)
+    if "recipe" in job:
+        cameras = [item for item in bpy.context.scene.objects if item.type == "CAMERA"]
+        bpy.context.scene.camera = cameras[0]
+        exec(job["recipe"], {})
+    else:
+        add_camera(job)
     bpy.ops.render.render(write_still=True)
 
 
