@@ -54,8 +54,8 @@ static const struct {
     uint32_t samples, side;
 } cases[] = {
     {"hall.gltf", 4, 2},
-    {"hall.gltf --camera aisle", 16, 4},
     {"nine-lights.gltf", 9, 3},
+    {"nine-lights.gltf", 16, 4},
     {"hard-cases.glb --camera above", 4, 2},
     {"hard-cases.glb --camera endless", 64, 8},
 };
@@ -78,13 +78,14 @@ static void pixels_are_means_of_their_samples(void **state)
 static void one_sample_is_the_pixel(void **state)
 {
     (void)state;
-    expect_run(
-        "$T render $D/hall.gltf --size 36x20 --samples 1 -o one.exr && "
-        "$T render $D/hall.gltf --size 36x20 -o none.exr && $T capture $D/hall.gltf --size "
-        "36x20 "
-        "--samples 1 -o one.g.exr && $T capture $D/hall.gltf --size 36x20 -o none.g.exr && "
-        "cmp one.exr none.exr && cmp one.g.exr none.g.exr",
-        0, "", "");
+    expect_run("$T render $D/hard-cases.glb --size 36x20 --samples 1 -o one.exr && "
+               "$T render $D/hard-cases.glb --size 36x20 -o none.exr && $T capture "
+               "$D/hard-cases.glb --size "
+               "36x20 "
+               "--samples 1 -o one.g.exr && $T capture $D/hard-cases.glb --size 36x20 -o "
+               "none.g.exr && "
+               "cmp one.exr none.exr && cmp one.g.exr none.g.exr",
+               0, "", "");
 }
 
 static void captured_then_lit_is_rendered(void **state)
@@ -120,7 +121,7 @@ static void the_reference_takes_means_too(void **state)
 /* Captured in the layout, or converted to it and back: the samples go along. */
 static void layouts_carry_samples(void **state)
 {
-    static const char *const layouts[] = {"compact-16", "ispc", "float-forward"};
+    static const char *const layouts[] = {"compact-16", "ispc"};
     char command[1024];
     (void)state;
     expect_run("$T capture $D/nine-lights.gltf --size 36x20 --samples 4 -o g.exr", 0, "", "");
@@ -145,8 +146,10 @@ static void other_commands_take_samples_as_pixels(void **state)
 {
     (void)state;
     expect_run(
-        "$T capture $D/hall.gltf --size 18x10 --samples 4 -o g.exr && $T scatter g.exr --count "
-        "20 -o l.json && $T light g.exr --lights l.json -o lit.exr && $T render $D/hall.gltf "
+        "$T capture $D/hard-cases.glb --size 18x10 --samples 4 -o g.exr && $T scatter g.exr "
+        "--count "
+        "20 -o l.json && $T light g.exr --lights l.json -o lit.exr && $T render "
+        "$D/hard-cases.glb "
         "--size 18x10 --samples 4 --scatter 20 -o render.exr && $T check --gbuffer g.exr",
         0, "", "");
     expect_same("lit.exr", "render.exr");
