@@ -33,3 +33,8 @@ endfunction()
 
 tl_import_test(test_import_conventions)
 tl_import_test(test_import_aliases)
+tl_import_test(test_import_files)
+tl_import_test(test_import_refusals)
+tl_import_test(test_import_damaged)
+tl_import_test(test_import_camera)
+tl_import_test(test_import_color)

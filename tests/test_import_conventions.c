@@ -201,7 +201,8 @@ static float encoded_depth(
     case TL_DEPTH_KIND_RAY: return (float)(d * sqrt(1.0 + tx * tx + ty * ty));
     case TL_DEPTH_KIND_INVERSE: return (float)(1.0 / d);
     case TL_DEPTH_KIND_NDC: return (float)z01;
-    case TL_DEPTH_KIND_NDC_REVERSED: return (float)(near * (far - depth) / (depth * (far - near)));
+    case TL_DEPTH_KIND_NDC_REVERSED:
+        return (float)(near * (far - depth) / (depth * (far - near)));
     case TL_DEPTH_KIND_NDC_GL: return (float)(2.0 * z01 - 1.0);
     default: return (float)d;
     }

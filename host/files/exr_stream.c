@@ -7,6 +7,8 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdatomic.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,9 +17,16 @@
 
 static const size_t largest_allocation = (size_t)1 << 30; /* bytes; what a header may ask for */
 
+/* Memory did run out, on whatever thread and stream. The library says so too of headers that ask for more
+ * than is allowed, and of chunks whose packed sizes do not fit. */
+static atomic_bool ran_out;
+
 static void *bounded_allocation(size_t size)
 {
-    return size <= largest_allocation ? malloc(size) : NULL;
+    void *made = size <= largest_allocation ? malloc(size) : NULL;
+    if (!made && size <= largest_allocation)
+        atomic_store(&ran_out, true);
+    return made;
 }
 
 static void keep_error_number(tl_exr_stream *stream, int error_number)
@@ -213,7 +222,7 @@ tl_status tl_exr_check(tl_exr_stream *stream, exr_result_t result, tl_error *err
         return TL_OK;
     const char *words =
         stream->message[0] ? stream->message : exr_get_default_error_message(result);
-    if (result == EXR_ERR_OUT_OF_MEMORY)
+    if (result == EXR_ERR_OUT_OF_MEMORY && atomic_load(&ran_out))
         return tl_fail(err, TL_ERR_MEMORY, "%s: out of memory: %s", stream->path, words);
     if (result == EXR_ERR_WRITE_IO && stream->error_number != 0)
         return tl_write_failed(stream->path, stream->error_number, err);

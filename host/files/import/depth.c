@@ -176,7 +176,8 @@ static void count(tl_importing *f)
 
 static bool is_of_buffer(tl_depth_kind kind)
 {
-    return kind == TL_DEPTH_KIND_NDC || kind == TL_DEPTH_KIND_NDC_REVERSED || kind == TL_DEPTH_KIND_NDC_GL;
+    return kind == TL_DEPTH_KIND_NDC || kind == TL_DEPTH_KIND_NDC_REVERSED ||
+           kind == TL_DEPTH_KIND_NDC_GL;
 }
 
 static const char *const kind_words[TL_DEPTH_KIND_COUNT] = {

@@ -33,7 +33,7 @@ typedef enum tl_import_plane {
 } tl_import_plane;
 
 /* What the numbers of depth are. X(name, word, meaning) */
-#define TL_DEPTH_KINDS(X)                                                          \
+#define TL_DEPTH_KINDS(X)                                                               \
     X(TL_DEPTH_KIND_PLANAR, "planar", "along the view axis, positive in front")         \
     X(TL_DEPTH_KIND_VIEW_Z, "view-z", "the same, negative in front")                    \
     X(TL_DEPTH_KIND_RAY, "ray", "along the ray of the pixel, from the eye")             \
