@@ -21,6 +21,7 @@
 typedef struct surface {
     vec3 position, normal, to_eye; /* view space, m; the last two unit, or normal 0 */
     real shininess;
+    real lobe_scale; /* with one colour: what the lobe adds, as a share of diffuse light */
 } surface;
 
 /* Light received, per lobe: the surface's colours multiply after the last light. */
@@ -53,10 +54,9 @@ TL_INLINE vec3 add_diffuse(vec3 diffuse,
 {
     const vec3 color = {(real)light.diffuse[0], (real)light.diffuse[1], (real)light.diffuse[2]};
     const mask above = lit & (cosine > R(0.0));
-    const real shown = pick(above, weight, R(0.0));
-    const real arriving = pick(above, shown * cosine, R(0.0));
-    *seen = lobe_has(needs, TL_LOBE_COSINE) ? arriving : shown;
-    return fma3(color, arriving, diffuse);
+    const real arriving = pick(above, weight * cosine, R(0.0));
+    *seen = lobe_has(needs, TL_LOBE_COSINE) ? arriving : pick(above, weight, R(0.0));
+    return needs.one_color ? diffuse : fma3(color, arriving, diffuse);
 }
 
 /* The half vector is taken |l| times as long as usual, l + |l| v, so that it does not wait for the
@@ -66,21 +66,40 @@ TL_INLINE half_angle highlight_angle(surface s, vec3 l, real length)
     return angle_of(s.normal, fma3(s.to_eye, length, l));
 }
 
-/* weight: what is seen of the light, 0 where the half vector is not above the surface. */
-TL_INLINE vec3 add_specular(vec3 specular, tl_view_light light, real weight, real power)
+/* What the lobe's power is multiplied by, 0 where the half vector is not above the surface. */
+TL_INLINE real shine_of(tl_needs needs, surface s, half_angle a, real seen)
 {
-    const vec3 color = {(real)light.specular[0], (real)light.specular[1],
-                        (real)light.specular[2]};
-    return fma3(color, weight * power, specular);
+    return pick(a.above, needs.one_color ? seen * s.lobe_scale : seen, R(0.0));
 }
 
-/* The specular lobe of a light in direction l, of this length. */
-TL_INLINE vec3
-add_highlight(vec3 specular, surface s, tl_view_light light, vec3 l, real length, real seen)
+/* The specular lobe; with one colour diffuse light too, for add_diffuse has left it out. */
+TL_INLINE received
+add_lobe(received sum, tl_needs needs, tl_view_light light, real seen, real shine, real power)
+{
+    if (needs.one_color) {
+        const vec3 color = {(real)light.diffuse[0], (real)light.diffuse[1],
+                            (real)light.diffuse[2]};
+        sum.diffuse = fma3(color, FMA(power, shine, seen), sum.diffuse);
+        return sum;
+    }
+    const vec3 color = {(real)light.specular[0], (real)light.specular[1],
+                        (real)light.specular[2]};
+    sum.specular = fma3(color, shine * power, sum.specular);
+    return sum;
+}
+
+/* The same of a light in direction l, of this length. */
+TL_INLINE received add_highlight(received sum,
+                                 tl_needs needs,
+                                 surface s,
+                                 tl_view_light light,
+                                 vec3 l,
+                                 real length,
+                                 real seen)
 {
     const half_angle a = highlight_angle(s, l, length);
-    return add_specular(specular, light, pick(a.above, seen, R(0.0)),
-                        exp2_of_negative(log2_of_power(a.cos2, a.sin2, s.shininess)));
+    return add_lobe(sum, needs, light, seen, shine_of(needs, s, a, seen),
+                    exp2_of_negative(log2_of_power(a.cos2, a.sin2, s.shininess)));
 }
 
 /* The weight of a light at a distance. Uniform branches: every lane has the same light. */
@@ -127,9 +146,7 @@ TL_INLINE received add_ranged_light(received sum,
     if (!any_lane(may_be_lit(light, a)))
         return sum;
     sum.diffuse = add_ranged_diffuse(sum.diffuse, needs, light, a, &distance, &seen);
-    if (needs.specular)
-        sum.specular = add_highlight(sum.specular, s, light, l, distance, seen);
-    return sum;
+    return needs.specular ? add_highlight(sum, needs, s, light, l, distance, seen) : sum;
 }
 
 /* A light that reaches everything: directional, or a point light without a range. */
@@ -150,9 +167,7 @@ TL_INLINE received add_global_light(received sum,
     real seen;
     sum.diffuse = add_diffuse(sum.diffuse, needs, light, a.facing * per_distance, weight,
                               a.distance2 > R(0.0), &seen);
-    if (needs.specular)
-        sum.specular = add_highlight(sum.specular, s, light, l, distance, seen);
-    return sum;
+    return needs.specular ? add_highlight(sum, needs, s, light, l, distance, seen) : sum;
 }
 
 #endif

@@ -21,8 +21,15 @@ TL_INLINE phong_material material_of(tl_needs needs, pixel of)
     return m;
 }
 
-/* position, normal: in view space, the normal unit or 0. */
-TL_INLINE surface surface_at(tl_needs needs, vec3 position, vec3 normal, real shininess)
+/* (e + 2)/8, rounded once. */
+TL_INLINE real lobe_energy(real shininess)
+{
+    return FMA(shininess, R(0.125), R(0.25));
+}
+
+/* position, normal: in view space, the normal unit or 0. specular: of the material, where it is grey. */
+TL_INLINE surface
+surface_at(tl_needs needs, vec3 position, vec3 normal, real shininess, real specular)
 {
     surface s;
     s.position = position;
@@ -31,6 +38,10 @@ TL_INLINE surface surface_at(tl_needs needs, vec3 position, vec3 normal, real sh
     if (needs.specular)
         s.to_eye = direction_to_eye(needs, position);
     s.shininess = shininess;
+    s.lobe_scale = shininess;
+    if (needs.one_color)
+        s.lobe_scale =
+            lobe_has(needs, TL_LOBE_ENERGY) ? specular * lobe_energy(shininess) : specular;
     return s;
 }
 
@@ -39,7 +50,7 @@ TL_INLINE surface surface_of(
     const tl_frame *frame, tl_needs needs, pixel of, real shininess, real column, real row)
 {
     return surface_at(needs, view_position(frame->rays, needs, column, row, of.depth),
-                      view_normal(frame, of.normal), shininess);
+                      view_normal(frame, of.normal), shininess, of.specular.x);
 }
 
 /* Radiance of one channel. Ambient light multiplies the albedo plane, not the diffuse colour, so
@@ -53,7 +64,7 @@ TL_INLINE real channel_of(tl_needs needs,
                           real emissive)
 {
     real radiance = diffuse * diffuse_light;
-    if (needs.specular)
+    if (needs.specular && !needs.one_color)
         radiance = FMA(specular, specular_light, radiance);
     radiance = radiance + ambient_light;
     if (needs.present & TL_GROUP_EMISSIVE)
@@ -69,12 +80,12 @@ TL_INLINE real ambient_of(tl_needs needs, real albedo, scalar ambient, real occl
     return light;
 }
 
-/* What multiplies the light that the specular lobe received. (e + 2)/8 is rounded once. */
+/* What multiplies the light that the specular lobe received. */
 TL_INLINE vec3 lobe_color(tl_needs needs, phong_material m)
 {
     vec3 c = m.specular;
     if (lobe_has(needs, TL_LOBE_ENERGY)) {
-        const real energy = FMA(m.shininess, R(0.125), R(0.25));
+        const real energy = lobe_energy(m.shininess);
         const vec3 scaled = {c.x * energy, c.y * energy, c.z * energy};
         c = scaled;
     }

@@ -15,6 +15,12 @@
  * 3 cycles; per kept one 53, and a root and two divisions that block one of the pipes for 10
  * cycles: 32 cycles.
  *
+ * Where one colour multiplies both lobes (needs.h), diffuse light waits for the lobe and they are added at
+ * once: 6 instructions of 76 less per kept light. Golden Cove has two ports for all of them: per listed
+ * light 12, 6 cycles; per kept 70, 35 cycles, with a root and two divisions, 32 cycles, beside them. A
+ * capture of 1280 x 720 with 13 listed and some 6 kept lights a block takes 0.88 of the processor time of
+ * two sums and of any_lane as a tree, which is 18 instructions per listed light.
+ *
  * Floor of a frame that lights nothing, 1920 x 1080 at 60 GB/s: the words of the layout read, 12 bytes
  * of radiance read, as a store to a line that is not there does, and written: full float 2.4 ms, 16
  * bytes 1.4 ms. Measured 3.7 ms and 2.1 ms: one and a half times. */
@@ -56,6 +62,8 @@ TL_INLINE received add_listed_lights(received sum,
     real seen[LIGHTS_AT_ONCE];  /* facing, then weight where light and half vector are above */
     real cos2[LIGHTS_AT_ONCE], sin2[LIGHTS_AT_ONCE]; /* of the half vector */
     real log2_of[LIGHTS_AT_ONCE];                    /* the lobe */
+    real apart[LIGHTS_AT_ONCE];
+    real *const shine = needs.one_color ? apart : seen; /* what the lobe is multiplied by */
 
     /* Those that may add anything; without a branch, for which they are is not predictable. */
     for (uint i = 0; i < count; i++) {
@@ -76,15 +84,15 @@ TL_INLINE received add_listed_lights(received sum,
     for (uint i = 0; i < kept_count; i++) {
         const vec3 l = vector_to_light(s.position, lights[kept[i]]);
         const half_angle a = highlight_angle(s, l, reach[i]);
-        seen[i] = pick(a.above, seen[i], R(0.0));
+        shine[i] = shine_of(needs, s, a, seen[i]);
         cos2[i] = a.cos2;
         sin2[i] = a.sin2;
     }
     for (uint i = 0; i < kept_count; i++)
         log2_of[i] = log2_of_power(cos2[i], sin2[i], s.shininess);
     for (uint i = 0; i < kept_count; i++)
-        sum.specular =
-            add_specular(sum.specular, lights[kept[i]], seen[i], exp2_of_negative(log2_of[i]));
+        sum = add_lobe(sum, needs, lights[kept[i]], seen[i], shine[i],
+                       exp2_of_negative(log2_of[i]));
     return sum;
 }
 

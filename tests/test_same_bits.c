@@ -4,6 +4,7 @@
 #include "hard_pixels.h"
 
 #include "reference.h"
+#include "tilelight/layouts.h"
 
 static void every_width_agrees(tl_device *device,
                                tl_precision precision,
@@ -13,7 +14,9 @@ static void every_width_agrees(tl_device *device,
     static const uint32_t widths[] = {1, 4, 8, 16};
     const tl_arithmetic arithmetic =
         precision == TL_PRECISION_DOUBLE ? TL_TWIN_DOUBLE : TL_TWIN_FLOAT;
-    for (int projection = 0; projection < 2; projection++) {
+    /* Models do not know of projections: one of them has both. */
+    const int projections = model == TL_MODEL_PHONG ? 2 : 1;
+    for (int projection = 0; projection < projections; projection++) {
         tl_light_set lights = {0};
         tl_gbuffer *g = hard_frame((tl_projection)projection, present, &lights);
         tl_image *want = image_like(g), *got = image_like(g);
@@ -68,11 +71,106 @@ static void every_width_agrees_in_double(void **state)
                            TL_MODEL_PHONG);
 }
 
+/* Hard pixels in a layout whose specular colours are grey, lit by lights of one colour each. */
+static tl_gbuffer *one_color_frame(tl_projection projection, tl_light_set *lights)
+{
+    tl_gbuffer *g = hard_frame(projection, TL_GROUP_BASE | TL_GROUP_PHONG, lights), *packed;
+    tl_error err;
+    ASSERT_OK(tl_gbuffer_repair(g, "hard", false, NULL, &err), err);
+    ASSERT_OK(tl_gbuffer_pack(g, TL_LAYOUT_ISPC_REVERSED, &packed, NULL, &err), err);
+    ASSERT_OK(tl_gbuffer_repair(packed, "hard", false, NULL, &err), err);
+    tl_gbuffer_destroy(g);
+    lights->model = TL_MODEL_BLINN_PHONG_NORMALIZED;
+    for (size_t i = 0; i < lights->count; i++)
+        lights->lights[i].specular = lights->lights[i].diffuse = 0.75f;
+    return packed;
+}
+
+static tl_u32 prepares_one_color(const tl_gbuffer *g, const tl_light_set *lights)
+{
+    tl_prepared prepared = {0};
+    tl_error err;
+    ASSERT_OK(tl_prepare(g, lights, 16, 1, 0.0f, NULL, &prepared, &err), err);
+    const tl_u32 found = prepared.needs.one_color;
+    tl_prepared_clear(&prepared);
+    return found;
+}
+
+static void light_with(tl_device *device,
+                       tl_precision precision,
+                       uint32_t width,
+                       tl_path path,
+                       const tl_gbuffer *g,
+                       const tl_light_set *lights,
+                       tl_image *image)
+{
+    tl_lighting_options options = tl_lighting_options_default();
+    options.precision = precision;
+    options.vector_width = width;
+    options.path = path;
+    light_frame(device, &options, g, lights, image);
+}
+
+static void every_width_agrees_where_lobes_share_a_colour(void **state)
+{
+    static const uint32_t widths[] = {1, 4, 8, 16};
+    tl_light_set lights = {0};
+    tl_gbuffer *g = one_color_frame(TL_PERSPECTIVE, &lights);
+    tl_image *want = image_like(g), *got = image_like(g);
+    assert_int_equal(prepares_one_color(g, &lights), 1);
+    light_with(NULL, TL_PRECISION_TWIN, 0, TL_PATH_AUTO, g, &lights, want);
+    for (size_t w = 0; w < COUNT_OF(widths); w++) {
+        light_with(*state, TL_PRECISION_FLOAT, widths[w], TL_PATH_CPU, g, &lights, got);
+        assert_same_image(got, want, "one colour, by tiles");
+    }
+    light_with(*state, TL_PRECISION_FLOAT, 0, TL_PATH_GPU, g, &lights, got);
+    assert_same_image(got, want, "one colour, by pixels");
+    tl_light_set_clear(&lights);
+    tl_image_destroy(want);
+    tl_image_destroy(got);
+    tl_gbuffer_destroy(g);
+}
+
+/* And it is a short cut: with one light that has two colours, and reaches nothing, the picture is that of two
+ * sums, to the rounding of each. */
+static void one_colour_is_two_sums_at_once(void **state)
+{
+    tl_light_set lights = {0};
+    tl_gbuffer *g = one_color_frame(TL_PERSPECTIVE, &lights);
+    tl_image *once = image_like(g), *twice = image_like(g);
+    tl_light nowhere = tl_light_default();
+    tl_error err;
+    (void)state;
+    light_with(NULL, TL_PRECISION_TWIN, 0, TL_PATH_AUTO, g, &lights, once);
+    nowhere.position[2] = 1e10f;
+    nowhere.range = nowhere.specular = 0.5f;
+    ASSERT_OK(tl_light_set_add(&lights, &nowhere, &err), err);
+    assert_int_equal(prepares_one_color(g, &lights), 0);
+    light_with(NULL, TL_PRECISION_TWIN, 0, TL_PATH_AUTO, g, &lights, twice);
+    for (unsigned c = 0; c < 3; c++)
+        for (size_t i = 0; i < (size_t)once->pitch * once->rows; i++) {
+            const float a = tl_image_plane(once, c)[i], b = tl_image_plane(twice, c)[i];
+            /* Some 150 lights, u = 2^-24 for each of three steps and for each sum. */
+            if (!(fabsf(a - b) <= 0x1p-24f * (150.0f + 8.0f) * fabsf(b)))
+                fail_msg("%a in one sum, %a in two", (double)a, (double)b);
+        }
+    lights.count--;
+    assert_int_equal(prepares_one_color(g, &lights), 1);
+    lights.model = TL_MODEL_PHONG;
+    assert_int_equal(prepares_one_color(g, &lights), 0);
+    tl_light_set_clear(&lights);
+    tl_image_destroy(once);
+    tl_image_destroy(twice);
+    tl_gbuffer_destroy(g);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_width_agrees_in_float),
         cmocka_unit_test(every_width_agrees_by_every_model),
+        cmocka_unit_test(one_colour_is_two_sums_at_once),
+        cmocka_unit_test(every_width_agrees_where_lobes_share_a_colour),
         cmocka_unit_test(every_width_agrees_on_metal),
         cmocka_unit_test(every_width_agrees_in_double),
     };

@@ -1,6 +1,7 @@
 #include "prepared.h"
 
 #include "falloff.h"
+#include "layout.h"
 #include "view.h"
 
 #include <float.h>
@@ -99,6 +100,22 @@ static tl_view_light point(const tl_camera *camera, const tl_light *light, float
 static int is_global(const tl_light *light, float cutoff)
 {
     return light->type == TL_LIGHT_DIRECTIONAL || (isinf(light->range) && !(cutoff > 0.0f));
+}
+
+/* tl_needs.one_color. */
+static int has_one_color(const tl_prepared *prepared)
+{
+    const tl_needs *needs = &prepared->needs;
+    if (!needs->specular || !lobe_has(*needs, TL_LOBE_DIFFUSE) ||
+        !lobe_has(*needs, TL_LOBE_COSINE) ||
+        tl_layouts[needs->layout].specular.code != TL_COLOR_GRAY ||
+        !(needs->present & TL_GROUP_PHONG))
+        return 0;
+    for (uint32_t i = 0; i < prepared->frame.light_count; i++)
+        if (memcmp(prepared->lights[i].diffuse, prepared->lights[i].specular,
+                   sizeof prepared->lights[i].diffuse) != 0)
+            return 0;
+    return 1;
 }
 
 /* Lights in the order of the set, first the global ones, then the others. */
@@ -201,6 +218,7 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
     collect(&gbuffer->camera, lights, light_cutoff, 0, prepared);
     if (!(gbuffer->present & (TL_GROUP_PHONG | TL_GROUP_METAL_ROUGH)))
         prepared->needs.specular = 0;
+    prepared->needs.one_color = (tl_u32)has_one_color(prepared);
     prepared->left_out_count = (uint32_t)(lights->count - prepared->frame.light_count);
     if (prepared->left_out_count > 0)
         name_left_out(lights, prepared->left_out_count, notices);

@@ -135,7 +135,8 @@ static tl_kernel_options kernel_options(const tl_lighting *lighting)
                                .present = needs->present,
                                .specular = needs->specular,
                                .falloffs = needs->falloffs,
-                               .model = needs->model};
+                               .model = needs->model,
+                               .one_color = needs->one_color};
 }
 
 static tl_status run_on_device(tl_lighting *lighting,
