@@ -1,7 +1,7 @@
 /* From a plan to a G-buffer. */
 #include "material.h"
 #include "meaning.h"
-#include "plane_channels.h"
+#include "reading.h"
 #include "size_limit.h"
 #include "try.h"
 
@@ -32,23 +32,22 @@ static bool is_bound(const tl_importing *f, tl_import_plane plane)
     return f->plan->bindings[plane].is_bound;
 }
 
-/* The numbers of a plane into `planes`, [height][pitch] of the G-buffer. */
-static tl_status read_plane(tl_importing *f,
+/* The planes that a capture is read into, beside those of the G-buffer. */
+typedef struct beside {
+    float *alpha[3], *position[3]; /* [rows][pitch] each, or NULL */
+    bool has_roughness;            /* in the place of the exponent */
+} beside;
+
+static tl_status add_beside(tl_reading *reading,
+                            const tl_importing *f,
                             tl_import_plane plane,
-                            float *const *planes,
+                            float *planes[3],
+                            float outside,
                             tl_error *err)
 {
-    const tl_binding *b = &f->plan->bindings[plane];
-    tl_source *source = &f->plan->sources[b->source];
-    return source->format->read(source, b->channels, planes, tl_import_kinds[plane].numbers,
-                                f->gbuffer->pitch, err);
-}
-
-static tl_status read_beside(
-    tl_importing *f, tl_import_plane plane, float *planes[3], float outside, tl_error *err)
-{
     const size_t count = (size_t)f->gbuffer->pitch * f->gbuffer->rows;
-    for (unsigned i = 0; i < tl_import_kinds[plane].numbers; i++) {
+    const unsigned numbers = tl_import_kinds[plane].numbers;
+    for (unsigned i = 0; i < numbers; i++) {
         planes[i] = malloc(count * sizeof(float));
         if (!planes[i])
             return tl_fail(err, TL_ERR_MEMORY, "out of memory for \"%s\"",
@@ -56,59 +55,66 @@ static tl_status read_beside(
         for (size_t k = 0; k < count; k++)
             planes[i][k] = outside;
     }
-    return read_plane(f, plane, planes, err);
-}
-
-/* A coverage of 0 everywhere says nothing: the program did not write it. */
-static tl_status read_alpha(tl_importing *f, float *planes[3], tl_error *err)
-{
-    tl_status status = TL_OK;
-    const tl_gbuffer *g = f->gbuffer;
-    bool any = false;
-    if (!is_bound(f, TL_IMPORT_ALPHA))
-        return TL_OK;
-    TRY(read_beside(f, TL_IMPORT_ALPHA, planes, 0.0f, err));
-    for (uint32_t y = 0; y < g->camera.height && !any; y++)
-        for (uint32_t x = 0; x < g->camera.width && !any; x++)
-            any = planes[0][(size_t)y * g->pitch + x] > 0.0f;
-    if (any)
-        f->alpha = planes[0];
-    else
-        tl_notice(f->notices, "alpha is 0 everywhere, and ignored");
-done:
-    return status;
+    tl_reading_add(reading, &f->plan->bindings[plane], numbers, planes);
+    return TL_OK;
 }
 
 /* The planes of the G-buffer that a kind fills as they are. */
-static tl_status read_own_planes(tl_importing *f, tl_import_plane plane, tl_error *err)
+static void add_own(tl_reading *reading, const tl_importing *f, tl_import_plane plane)
 {
     const tl_import_kind *kind = &tl_import_kinds[plane];
     float *planes[3] = {NULL, NULL, NULL};
     if (!is_bound(f, plane) || kind->plane == TL_PLANE_COUNT ||
         !(f->gbuffer->present & TL_HAS(kind->plane)))
-        return TL_OK;
+        return;
     for (unsigned i = 0; i < kind->numbers; i++)
         planes[i] = tl_gbuffer_plane(f->gbuffer, (enum tl_plane)(kind->plane + i));
-    return read_plane(f, plane, planes, err);
+    tl_reading_add(reading, &f->plan->bindings[plane], kind->numbers, planes);
 }
 
-/* Roughness where a specular colour asks for an exponent. */
-static tl_status read_exponent(tl_importing *f, tl_error *err)
+static tl_status read_all(tl_importing *f, beside *to, tl_error *err)
 {
     tl_status status = TL_OK;
-    const tl_gbuffer *g = f->gbuffer;
-    float *planes[3] = {tl_gbuffer_plane(g, TL_SHININESS), NULL, NULL};
-    if (!planes[0] || is_bound(f, TL_IMPORT_SHININESS))
-        return TL_OK;
-    TRY(read_plane(f, TL_IMPORT_ROUGHNESS, planes, err));
-    for (uint32_t y = 0; y < g->camera.height; y++)
-        for (uint32_t x = 0; x < g->camera.width; x++) {
-            float *value = &planes[0][(size_t)y * g->pitch + x];
-            const vec3 black = {0.0f, 0.0f, 0.0f};
-            *value = phong_of_metal_rough(black, 0.0f, *value).shininess;
-        }
+    tl_reading reading = {.count = 0};
+    float *exponent = tl_gbuffer_plane(f->gbuffer, TL_SHININESS);
+    if (is_bound(f, TL_IMPORT_ALPHA))
+        TRY(add_beside(&reading, f, TL_IMPORT_ALPHA, to->alpha, 0.0f, err));
+    if (!is_bound(f, TL_IMPORT_DEPTH))
+        TRY(add_beside(&reading, f, TL_IMPORT_POSITION, to->position, INFINITY, err));
+    for (tl_import_plane p = 0; p < TL_IMPORT_COUNT; p++)
+        add_own(&reading, f, p);
+    to->has_roughness = exponent && !is_bound(f, TL_IMPORT_SHININESS);
+    if (to->has_roughness)
+        tl_reading_add(&reading, &f->plan->bindings[TL_IMPORT_ROUGHNESS], 1, &exponent);
+    TRY(tl_reading_run(&reading, f->plan->sources, f->gbuffer->pitch, err));
+    memcpy(f->position, to->position, sizeof to->position);
 done:
     return status;
+}
+
+/* A coverage of 0 everywhere says nothing: the program did not write it. */
+static void use_alpha(tl_importing *f, const float *alpha)
+{
+    const tl_gbuffer *g = f->gbuffer;
+    bool any = false;
+    for (uint32_t y = 0; alpha && y < g->camera.height && !any; y++)
+        for (uint32_t x = 0; x < g->camera.width && !any; x++)
+            any = alpha[(size_t)y * g->pitch + x] > 0.0f;
+    if (any)
+        f->alpha = alpha;
+    else if (alpha)
+        tl_notice(f->notices, "alpha is 0 everywhere, and ignored");
+}
+
+static void make_exponents(const tl_gbuffer *g)
+{
+    const vec3 black = {0.0f, 0.0f, 0.0f};
+    float *plane = tl_gbuffer_plane(g, TL_SHININESS);
+    for (uint32_t y = 0; y < g->camera.height; y++)
+        for (uint32_t x = 0; x < g->camera.width; x++) {
+            float *value = &plane[(size_t)y * g->pitch + x];
+            *value = phong_of_metal_rough(black, 0.0f, *value).shininess;
+        }
 }
 
 static void fill_albedo(const tl_importing *f)
@@ -124,7 +130,7 @@ static void fill_albedo(const tl_importing *f)
               (double)unknown_albedo);
 }
 
-static tl_status read_colors(tl_importing *f, tl_error *err)
+static tl_status make_colors(tl_importing *f, tl_error *err)
 {
     static const tl_import_plane colors[] = {TL_IMPORT_ALBEDO, TL_IMPORT_SPECULAR,
                                              TL_IMPORT_EMISSIVE};
@@ -181,25 +187,21 @@ static void say_counts(const tl_importing *f, const char *name)
 static tl_status read_pixels(tl_importing *f, const char *name, tl_error *err)
 {
     tl_status status = TL_OK;
-    float *alpha[3] = {NULL, NULL, NULL}, *position[3] = {NULL, NULL, NULL};
-    TRY(read_alpha(f, alpha, err));
-    for (tl_import_plane p = 0; p < TL_IMPORT_COUNT; p++)
-        TRY(read_own_planes(f, p, err));
-    TRY(read_exponent(f, err));
-    if (!is_bound(f, TL_IMPORT_DEPTH)) {
-        TRY(read_beside(f, TL_IMPORT_POSITION, position, INFINITY, err));
-        memcpy(f->position, position, sizeof position);
-    }
+    beside to = {.has_roughness = false};
+    TRY(read_all(f, &to, err));
+    use_alpha(f, to.alpha[0]);
+    if (to.has_roughness)
+        make_exponents(f->gbuffer);
     TRY(tl_import_depth(f, err));
     f->counts.outside = count_outside(f->plan);
     tl_import_range(f);
     tl_import_normals(f);
-    TRY(read_colors(f, err));
+    TRY(make_colors(f, err));
     say_counts(f, name);
 done:
     for (int i = 0; i < 3; i++) {
-        free(alpha[i]);
-        free(position[i]);
+        free(to.alpha[i]);
+        free(to.position[i]);
     }
     return status;
 }

@@ -25,7 +25,8 @@ typedef struct tl_source_channel {
     bool is_number;   /* can be read: no whole numbers without a scale */
 } tl_source_channel;
 
-enum { TL_MAX_SOURCE_PARTS = 256, TL_MAX_SOURCE_CHANNELS = 4096 };
+/* TL_MAX_READ: all numbers of all kinds of planes. */
+enum { TL_MAX_SOURCE_PARTS = 256, TL_MAX_SOURCE_CHANNELS = 4096, TL_MAX_READ = 32 };
 
 typedef struct tl_source tl_source;
 
@@ -35,8 +36,8 @@ typedef struct tl_source_format {
     bool (*recognises)(const unsigned char *bytes, size_t size);
     /* Fills parts and channels of a source whose path is set. */
     tl_status (*open)(tl_source *source, tl_error *err);
-    /* Into planes[i] = [height][pitch] the number of channel indices[i], all of one part. Beside the
-     * data window they stay. */
+    /* Into planes[i] = [height][pitch] the number of channel indices[i]: all of one part, no two
+     * alike, 1 to TL_MAX_READ of them. Beside the data window planes stay as they are. */
     tl_status (*read)(tl_source *source,
                       const uint32_t *indices,
                       float *const *planes,

@@ -117,10 +117,9 @@ static tl_status read_exr(tl_source *source,
                           size_t pitch,
                           tl_error *err)
 {
-    enum { MOST = 3 };
     tl_status status = TL_OK;
-    tl_exr_target targets[MOST];
-    float *cropped[MOST] = {NULL, NULL, NULL};
+    tl_exr_target targets[TL_MAX_READ] = {{NULL, EXR_PIXEL_FLOAT, NULL}};
+    float *cropped[TL_MAX_READ] = {NULL};
     const tl_exr_part *part = &source->parts[source->channels[indices[0]].part].exr;
     const bool is_direct = is_uncropped(part);
     const size_t pixels = (size_t)part->width * part->height;
@@ -139,7 +138,7 @@ static tl_status read_exr(tl_source *source,
     for (size_t i = 0; i < count && !is_direct; i++)
         copy_overlap(part, cropped[i], planes[i], pitch);
 done:
-    for (size_t i = 0; i < MOST; i++)
+    for (size_t i = 0; i < count; i++)
         free(cropped[i]);
     return status;
 }
