@@ -104,8 +104,6 @@ static void depth_rows(void *context, size_t begin, size_t end)
         }
 }
 
-enum { SAMPLES = 64 }; /* a side, of a grid over the frame */
-
 /* How many pixels positions of a space lie off the pixels that they belong to, in the mean; and INFINITY
  * where there are none. */
 static double offset_of_positions(const depth_work *w, tl_import_space space)
@@ -114,9 +112,10 @@ static double offset_of_positions(const depth_work *w, tl_import_space space)
     const double most = 0.5 * (c->width + c->height); /* further off is as wrong */
     double sum = 0.0;
     int count = 0;
-    for (uint32_t i = 0; i < SAMPLES * SAMPLES; i++) {
-        const uint32_t x = (uint32_t)((uint64_t)(i % SAMPLES) * c->width / SAMPLES);
-        const uint32_t y = (uint32_t)((uint64_t)(i / SAMPLES) * c->height / SAMPLES);
+    const tl_sample_grid grid = tl_sample_grid_of(c->width, c->height);
+    for (uint32_t i = 0; i < grid.columns * grid.rows; i++) {
+        uint32_t x, y;
+        tl_sample_at(&grid, i, &x, &y);
         const size_t at = (size_t)y * w->frame->gbuffer->pitch + x;
         double view[3], ray[2];
         if (is_left_out(w, at) || !view_position(w, space, at, view))

@@ -37,4 +37,27 @@ bool tl_color_matrix(const double chromaticities[8], double out[9]);
 /* Through the centre of a pixel: x, y, z per unit of depth. Orthographic: x and y in m, z is 0. */
 void tl_pixel_ray(const tl_camera *camera, uint32_t x, uint32_t y, double out[2]);
 
+/* A grid over width x height pixels, or fewer where there are fewer: enough to tell how numbers are
+ * meant. */
+typedef struct tl_sample_grid {
+    uint32_t width, height, columns, rows;
+} tl_sample_grid;
+
+static inline tl_sample_grid tl_sample_grid_of(uint32_t width, uint32_t height)
+{
+    enum { MOST = 128 }; /* a side */
+    return (tl_sample_grid){width, height, width < MOST ? width : MOST,
+                            height < MOST ? height : MOST};
+}
+
+/* The pixel of sample i, 0 to columns * rows - 1. */
+static inline void tl_sample_at(const tl_sample_grid *grid,
+                                uint32_t i,
+                                uint32_t *x,
+                                uint32_t *y)
+{
+    *x = i % grid->columns * grid->width / grid->columns;
+    *y = i / grid->columns * grid->height / grid->rows;
+}
+
 #endif

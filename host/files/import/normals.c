@@ -4,8 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-enum { SAMPLES = 128 }; /* a side, of a grid over the frame */
-
 /* Depths of neighbours that differ by more lie on two surfaces. */
 static const double largest_step = 0.05;
 
@@ -103,10 +101,12 @@ static double fit_of(const tl_importing *f, reading as, int *count)
     const tl_camera *c = &g->camera;
     double sum = 0.0;
     *count = 0;
-    for (uint32_t i = 0; i < SAMPLES * SAMPLES && c->width > 1 && c->height > 1; i++) {
-        const uint32_t x = (uint32_t)((uint64_t)(i % SAMPLES) * (c->width - 1) / SAMPLES);
-        const uint32_t y = (uint32_t)((uint64_t)(i / SAMPLES) * (c->height - 1) / SAMPLES);
+    /* Each with a neighbour to the right and one below. */
+    const tl_sample_grid grid = tl_sample_grid_of(c->width - 1, c->height - 1);
+    for (uint32_t i = 0; i < grid.columns * grid.rows; i++) {
         double raw[3], n[3], surface[3];
+        uint32_t x, y;
+        tl_sample_at(&grid, i, &x, &y);
         if (!normal_of_depths(g, x, y, surface))
             continue;
         raw_normal(f, (size_t)y * g->pitch + x, raw);
