@@ -50,6 +50,20 @@ static void light_takes_them(void **state)
                0, "", "2 m each");
 }
 
+/* Camera and lights of our own files stay; what a map names is replaced. */
+static void own_files_may_be_mapped(void **state)
+{
+    (void)state;
+    enter_empty_folder("command-import-own");
+    expect_run(
+        "$T capture $D/nine-lights.gltf --size 64x36 -o g.exr && $T light g.exr -o a.exr", 0,
+        "", "");
+    expect_run("$T light g.exr --map depth=Z -o b.exr && cmp a.exr b.exr", 0, "",
+               "attributes tilelight:");
+    expect_run("$T light g.exr --map albedo=N.XYZ -o c.exr && ! cmp -s a.exr c.exr", 0, "", "");
+    expect_run("$T light g.exr --map depth=z -o d.exr", 3, "", "did you mean \"Z\"?");
+}
+
 static void others_take_them(void **state)
 {
     (void)state;
@@ -131,9 +145,8 @@ static void wrong_use_is_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(light_takes_them),
-        cmocka_unit_test(others_take_them),
-        cmocka_unit_test(info_says_what_is_there),
+        cmocka_unit_test(light_takes_them),     cmocka_unit_test(own_files_may_be_mapped),
+        cmocka_unit_test(others_take_them),     cmocka_unit_test(info_says_what_is_there),
         cmocka_unit_test(wrong_use_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

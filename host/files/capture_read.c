@@ -35,14 +35,30 @@ static bool is_given(const tl_capture_request *request)
     return request->import && request->import->is_given;
 }
 
+/* Ours with channels mapped by hand: the lights inside go along. */
+static tl_status import_own(const tl_capture_request *request, tl_captured *out, tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_captured made = {0};
+    TRY(tl_gbuffer_read_lights(request->path, &made.lights, &made.has_lights, err));
+    TRY(import(request, &made, err));
+    *out = made;
+    made = (tl_captured){0};
+done:
+    tl_captured_clear(&made);
+    return status;
+}
+
 /* Ours say what their numbers mean, and are read bit for bit unless channels are mapped by hand. */
 static tl_status read_exr(const tl_capture_request *request, tl_captured *out, tl_error *err)
 {
     tl_status status = TL_OK;
     bool is_own = false;
     TRY(tl_gbuffer_is_own(request->path, &is_own, err));
-    if (!is_own || (request->import && request->import->map_count > 0))
+    if (!is_own)
         TRY(import(request, out, err));
+    else if (request->import && request->import->map_count > 0)
+        TRY(import_own(request, out, err));
     else if (is_given(request))
         TRY(tl_fail(err, TL_ERR_ARGUMENT,
                     "%s: is a G-buffer of tilelight, which says itself what its numbers mean; "

@@ -155,6 +155,23 @@ done:
     return status;
 }
 
+tl_status tl_gbuffer_read_lights(const char *path,
+                                 tl_light_set *lights,
+                                 bool *has_lights,
+                                 tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_exr_reader reader = {.is_open = false};
+    TRY(tl_exr_reader_open(&reader, path, err));
+    const bool has = tl_exr_reader_has_attribute(&reader, "tilelight:lights");
+    if (has)
+        TRY(read_lights(&reader, lights, err));
+    *has_lights = has;
+done:
+    tl_exr_reader_close(&reader);
+    return status;
+}
+
 tl_status tl_gbuffer_is_own(const char *path, bool *out, tl_error *err)
 {
     tl_status status = TL_OK;

@@ -31,6 +31,13 @@ tl_status tl_gbuffer_read(
  * Fails as it does, for a file that is no OpenEXR file. */
 tl_status tl_gbuffer_is_own(const char *path, bool *out, tl_error *err);
 
+/* The lights inside a G-buffer's file alone. *lights and *has_lights as tl_gbuffer_read has them; fails as
+ * it does. */
+tl_status tl_gbuffer_read_lights(const char *path,
+                                 tl_light_set *lights,
+                                 bool *has_lights,
+                                 tl_error *err);
+
 #ifdef __cplusplus
 }
 #endif
