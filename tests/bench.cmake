@@ -6,6 +6,8 @@ target_include_directories(test_bench_comparison PRIVATE ${PROJECT_SOURCE_DIR}/h
 tl_test(test_bench_growth unit tl_growth tl_base)
 tl_test(test_bench_cases unit tl_bench_cases)
 tl_test(test_bench_scenes device tl_bench_cases)
+tl_test(test_bench_capture unit tl_baselines tl_bench_cases tl_files)
+target_include_directories(test_bench_capture PRIVATE ${PROJECT_SOURCE_DIR}/host/files)
 tl_test(test_command_bench command tl_base PkgConfig::JANSSON)
 add_dependencies(test_command_bench tilelight)
 

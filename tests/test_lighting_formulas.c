@@ -7,6 +7,10 @@
  * Phong: docs/conventions.md. What may lie between the two is derived below, light by light. */
 #include "frames.h"
 
+#include "prepared.h"
+
+#include <float.h>
+
 enum { WIDTH = 40, HEIGHT = 30, LIGHT_COUNT = 30 };
 
 typedef long double wide;
@@ -331,12 +335,44 @@ static void one_light_by_hand(void **state)
     tl_gbuffer_destroy(g);
 }
 
+/* Kernels are promised finite numbers, however near a falloff begins to where it ends. */
+static void falloffs_stay_finite(void **state)
+{
+    static const float ranges[] = {1e-45f, 1e-38f, 1.0f, 1e18f, FLT_MAX};
+    const tl_camera camera = camera_of(1, 1, TL_PERSPECTIVE);
+    tl_gbuffer *g = NULL;
+    tl_error err;
+    (void)state;
+    ASSERT_OK(tl_gbuffer_create(&camera, TL_GROUP_BASE, &g, &err), err);
+    for (size_t i = 0; i < COUNT_OF(ranges); i++)
+        for (int k = 0; k < 3; k++) {
+            const float r = ranges[i];
+            tl_light_set lights = {0};
+            tl_prepared prepared = {0};
+            tl_light light = tl_light_default();
+            float offset;
+            light.falloff = TL_FALLOFF_LINEAR;
+            light.range = r;
+            light.begin = k == 0 ? 1e-45f : k == 1 ? nextafterf(r, 0.0f) : r;
+            ASSERT_OK(tl_light_set_add(&lights, &light, &err), err);
+            ASSERT_OK(tl_prepare(g, &lights, 16, 1, 0.0f, NULL, &prepared, &err), err);
+            memcpy(&offset, &prepared.lights[0].falloff, sizeof offset);
+            assert_true(isfinite(prepared.lights[0].fade));
+            if (light.begin > 0.0f)
+                assert_true(offset >= 1.0f && offset <= 0x1p24f);
+            tl_prepared_clear(&prepared);
+            tl_light_set_clear(&lights);
+        }
+    tl_gbuffer_destroy(g);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(equations_hold_for_the_reference),
         cmocka_unit_test(equations_hold_in_float),
         cmocka_unit_test(one_light_by_hand),
+        cmocka_unit_test(falloffs_stay_finite),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
