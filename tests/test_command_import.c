@@ -108,6 +108,30 @@ static void info_says_what_is_there(void **state)
     json_decref(report);
 }
 
+static void counts_are_reported(void **state)
+{
+    (void)state;
+    enter_empty_folder("command-import-counts");
+    write_files();
+    const program_run *run = expect_run(
+        "$T convert all.exr --fov 60 --sky-from 2.125 --map alpha=albedo.G --json -o "
+        "c.exr",
+        0, "", "covered in part");
+    json_t *report = json_loads(run->out, 0, NULL);
+    assert_non_null(report);
+    const json_t *import = json_object_get(report, "import");
+    /* Depths grow by 1/8 from row to row and 1/64 from column to column: from 2.125 on they are the
+     * last pixel of the first row and all of the others. The alpha of every pixel is between 0 and 1. */
+    assert_int_equal(json_integer_value(json_object_get(import, "sky")), 1 + 6 * 9);
+    assert_int_equal(json_integer_value(json_object_get(import, "partial")), 7 * 9);
+    assert_int_equal(json_integer_value(json_object_get(import, "outside")), 0);
+    json_decref(report);
+    expect_run(
+        "$T convert all.exr --fov 60 -o c.exr -q && $T convert c.exr --json -o d.exr | grep "
+        "-q '\"import\"' && echo imported || echo own",
+        0, "own", "");
+}
+
 static void wrong_use_is_refused(void **state)
 {
     static const struct {
@@ -145,9 +169,9 @@ static void wrong_use_is_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(light_takes_them),     cmocka_unit_test(own_files_may_be_mapped),
-        cmocka_unit_test(others_take_them),     cmocka_unit_test(info_says_what_is_there),
-        cmocka_unit_test(wrong_use_is_refused),
+        cmocka_unit_test(light_takes_them),    cmocka_unit_test(own_files_may_be_mapped),
+        cmocka_unit_test(others_take_them),    cmocka_unit_test(info_says_what_is_there),
+        cmocka_unit_test(counts_are_reported), cmocka_unit_test(wrong_use_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -105,6 +105,11 @@ tl_status job_read(
         j->lights = captured.lights;
         captured.lights = (tl_light_set){0};
     }
+    if (captured.is_imported)
+        job_report(j, "import",
+                   json_pack("{sI sI sI}", "sky", (json_int_t)captured.counts.sky, "partial",
+                             (json_int_t)captured.counts.partial, "outside",
+                             (json_int_t)captured.counts.outside));
     tl_timings_end(&j->timings, "read", start);
     TRY(job_repair(j, path ? path : "the capture", strict, err));
 done:

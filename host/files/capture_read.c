@@ -26,8 +26,11 @@ static bool is_picture(const tl_capture_start *start)
 static tl_status import(const tl_capture_request *request, tl_captured *out, tl_error *err)
 {
     const tl_import_options defaults = tl_import_options_default();
-    return tl_import_read(request->path, request->import ? request->import : &defaults,
-                          request->notices, &out->gbuffer, NULL, err);
+    const tl_status status =
+        tl_import_read(request->path, request->import ? request->import : &defaults,
+                       request->notices, &out->gbuffer, &out->counts, err);
+    out->is_imported = status == TL_OK;
+    return status;
 }
 
 static bool is_given(const tl_capture_request *request)

@@ -32,8 +32,10 @@ typedef struct tl_capture_request {
 typedef struct tl_captured {
     tl_gbuffer *gbuffer;
     tl_light_set lights;
-    bool has_lights; /* the file brought lights, even where there are none */
-    bool has_look;   /* pictures of it are shown so, unless asked otherwise */
+    bool has_lights;  /* the file brought lights, even where there are none */
+    bool is_imported; /* of another program */
+    tl_import_counts counts;
+    bool has_look; /* pictures of it are shown so, unless asked otherwise */
     tl_look look;
 } tl_captured;
 
