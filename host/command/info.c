@@ -12,6 +12,9 @@
 #include "tilelight/layouts.h"
 #include "try.h"
 #include "values.h"
+#ifdef TILELIGHT_RASTER
+#    include "info_scene.h"
+#endif
 
 #include <errno.h>
 #include <inttypes.h>
@@ -19,6 +22,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 typedef struct info_command {
     const char *path;
@@ -51,7 +55,8 @@ static const struct argp argp = {
     .doc =
         "Says what is in a G-buffer, a capture of another program (OpenEXR or PFM) and what "
         "lighting it lacks, a picture (OpenEXR or PNG) or a lights file, told apart by their "
-        "first bytes.",
+        "first bytes; or in a glTF scene (.gltf, .glb), and what `capture' and `render' can "
+        "choose of it: cameras, animations, variants.",
     .children = children,
 };
 
@@ -259,7 +264,45 @@ done:
     return status;
 }
 
-/* By the first bytes of a file; what is none of these is read as lights. */
+#ifdef TILELIGHT_RASTER
+static tl_status scene_info(const info_command *options, tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_scene_info info = {0};
+    TRY(tl_scene_describe(options->path, &console_notices, &info, err));
+    if (options->report.json)
+        TRY(tl_json_write("-", info_scene_json(&info), err));
+    else
+        info_print_scene(&info);
+done:
+    tl_scene_info_clear(&info);
+    return status;
+}
+#else
+static tl_status scene_info(const info_command *options, tl_error *err)
+{
+    return tl_fail(err, TL_ERR_UNSUPPORTED,
+                   "%s: is a glTF scene, which this build cannot read; configure it with "
+                   "-DTILELIGHT_RASTER=ON",
+                   options->path);
+}
+#endif
+
+/* A scene is JSON, as lights are: its name says so, else the member that each glTF file has. */
+static bool is_scene(const char *path)
+{
+    const char *const dot = strrchr(path, '.');
+    json_t *text = NULL;
+    if (dot && (strcasecmp(dot, ".gltf") == 0 || strcasecmp(dot, ".glb") == 0))
+        return true;
+    if (tl_json_read(path, &text, NULL) != TL_OK)
+        return false;
+    const bool has_asset = json_object_get(text, "asset") != NULL;
+    json_decref(text);
+    return has_asset;
+}
+
+/* By the first bytes of a file; what is none of these is a scene or read as lights. */
 static const struct {
     unsigned char magic[4];
     size_t magic_size;
@@ -269,6 +312,7 @@ static const struct {
     {{0x89, 'P', 'N', 'G'}, 4, png_info},
     {{'P', 'F'}, 2, pfm_info},
     {{'P', 'f'}, 2, pfm_info},
+    {{'g', 'l', 'T', 'F'}, 4, scene_info},
 };
 
 static tl_status run(const info_command *options, tl_error *err)
@@ -286,6 +330,8 @@ static tl_status run(const info_command *options, tl_error *err)
     const tl_capture_format *format = tl_capture_format_of(options->path);
     if (format)
         return capture_info(options->path, format, options->report.json, err);
+    if (is_scene(options->path))
+        return scene_info(options, err);
     return lights_info(options->path, options->report.json, err);
 }
 

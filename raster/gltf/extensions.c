@@ -66,12 +66,13 @@ static const struct {
 };
 enum { OTHER_COUNT = sizeof others / sizeof others[0] };
 
-static bool is_supported(const char *name)
+/* What a supported extension brings; NULL: it is not supported. */
+static const char *brought_by(const char *name)
 {
     for (size_t i = 0; i < sizeof supported / sizeof supported[0]; i++)
         if (strcmp(supported[i].name, name) == 0)
-            return true;
-    return false;
+            return supported[i].effect;
+    return NULL;
 }
 
 /* Its row; OTHER_COUNT: nothing is known of it. */
@@ -83,11 +84,17 @@ static size_t find_other(const char *name)
     return i;
 }
 
-/* Whether a picture is the same with it and without. */
-static bool shows(const char *name)
+/* What the picture lacks for want of one that is not supported; NULL: nothing. */
+static const char *lack_of(const char *name)
 {
     const size_t row = find_other(name);
-    return !is_supported(name) && (row == OTHER_COUNT || others[row].lack);
+    return row == OTHER_COUNT ? "nothing is known of it" : others[row].lack;
+}
+
+/* Whether a picture lacks something where a file uses it. */
+static bool shows(const char *name)
+{
+    return !brought_by(name) && lack_of(name);
 }
 
 static tl_status refuse(const char *path, const char *name, tl_error *err)
@@ -101,9 +108,7 @@ static tl_status refuse(const char *path, const char *name, tl_error *err)
 
 static void tell(const char *path, const char *name, const tl_notices *notices)
 {
-    const size_t row = find_other(name);
-    tl_notice(notices, "%s: the extension %.64s is left out: %s", path, name,
-              row == OTHER_COUNT ? "nothing is known of it" : others[row].lack);
+    tl_notice(notices, "%s: the extension %.64s is left out: %s", path, name, lack_of(name));
 }
 
 static bool is_among(const char *name, size_t count, const char *const *names)
@@ -133,4 +138,13 @@ tl_status tl_gltf_check_extensions(const char *path,
             told++;
         }
     return TL_OK;
+}
+
+tl_extension_fate tl_gltf_extension_fate(const char *name, const char **effect)
+{
+    const char *const brought = brought_by(name), *const lack = lack_of(name);
+    *effect = brought ? brought : lack ? lack : "it changes nothing that a picture shows";
+    return brought ? TL_EXTENSION_SUPPORTED
+           : lack  ? TL_EXTENSION_LEFT_OUT
+                   : TL_EXTENSION_HARMLESS;
 }

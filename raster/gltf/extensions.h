@@ -4,6 +4,8 @@
 
 #include "gltf.h"
 
+#include "tilelight/scene_info.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -17,6 +19,9 @@ tl_status tl_gltf_check_extensions(const char *path,
                                    const char *const *used,
                                    const tl_notices *notices,
                                    tl_error *err);
+
+/* What becomes of an extension where a file uses it, as tl_scene_extension says it; *effect is a literal. */
+tl_extension_fate tl_gltf_extension_fate(const char *name, const char **effect);
 
 #ifdef __cplusplus
 }

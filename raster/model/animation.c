@@ -239,6 +239,34 @@ done:
 
 /* --- all of them ------------------------------------------------------------------------------- */
 
+/* Sets all but gltf and time; the caller clears the pose. */
+static tl_status play_all(player *at, size_t index, tl_error *err)
+{
+    const tl_gltf *const gltf = at->gltf;
+    tl_status status = TL_OK;
+    at->animation = &gltf->animations[index];
+    at->label = tl_label_of("animation", index, at->animation->name);
+    at->budget = (tl_budget){tl_max_geometry_bytes};
+    at->pose = (tl_pose){gltf->node_count, calloc(gltf->node_count + 1, sizeof(tl_node_pose))};
+    if (!at->pose.nodes)
+        return tl_fail(err, TL_ERR_MEMORY, "%s: out of memory for %s", gltf->path,
+                       at->label.text);
+    for (size_t i = 0; i < at->animation->channel_count; i++)
+        TRY(play(at, &at->animation->channels[i], err));
+done:
+    return status;
+}
+
+tl_status tl_animation_end(const tl_gltf *gltf, size_t index, double *seconds, tl_error *err)
+{
+    player at = {.gltf = gltf};
+    const tl_status status = play_all(&at, index, err);
+    if (status == TL_OK)
+        *seconds = at.end;
+    tl_pose_clear(&at.pose);
+    return status;
+}
+
 tl_status tl_animation_pose(const tl_gltf *gltf,
                             const tl_moment *moment,
                             const tl_notices *notices,
@@ -256,20 +284,8 @@ tl_status tl_animation_pose(const tl_gltf *gltf,
     if (!find_animation(gltf, moment->animation, &index))
         return refuse_wanted(gltf, moment->animation, err);
 
-    player at = {
-        .gltf = gltf,
-        .animation = &gltf->animations[index],
-        .label = tl_label_of("animation", index, gltf->animations[index].name),
-        .time = moment->has_time ? moment->time : 0.0,
-        .budget = {tl_max_geometry_bytes},
-        .pose = {gltf->node_count, calloc(gltf->node_count + 1, sizeof(tl_node_pose))}};
-    if (!at.pose.nodes) {
-        status =
-            tl_fail(err, TL_ERR_MEMORY, "%s: out of memory for %s", gltf->path, at.label.text);
-        goto done;
-    }
-    for (size_t i = 0; i < at.animation->channel_count; i++)
-        TRY(play(&at, &at.animation->channels[i], err));
+    player at = {.gltf = gltf, .time = moment->has_time ? moment->time : 0.0};
+    TRY(play_all(&at, index, err));
     if ((float)at.time > (float)at.end)
         tl_notice(notices, "%s: %s ends at %g s; its end is shown for %g s", gltf->path,
                   at.label.text, at.end, at.time);

@@ -78,7 +78,7 @@ typedef struct tl_material {
 
 typedef struct tl_model {
     const tl_gltf *gltf; /* owned; for names in messages */
-    int variant; /* of the materials (variants.h) */
+    int variant;         /* of the materials (variants.h) */
     size_t vertices_count, part_count, draw_count, camera_count, light_count;
     size_t material_count, texture_count, pixels_count;
     tl_vertices *vertices;
@@ -121,5 +121,16 @@ tl_status tl_model_camera(const tl_model *model,
                           const tl_notices *notices,
                           tl_camera *out,
                           tl_error *err);
+
+/* The one that stands there, one of the model's cameras. Fails with TL_ERR_FORMAT. */
+tl_status tl_model_camera_at(const tl_model *model,
+                             const tl_placed *placed,
+                             uint32_t width,
+                             uint32_t height,
+                             tl_camera *out,
+                             tl_error *err);
+
+/* The box around all that is drawn, m, in world space. False: nothing is, and the box is left alone. */
+bool tl_model_bounds(const tl_model *model, double low[3], double high[3]);
 
 #endif

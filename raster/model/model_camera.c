@@ -71,12 +71,12 @@ static bool view_of(const tl_affine *world, double view[3][4])
     return true;
 }
 
-static tl_status camera_of_file(const tl_model *model,
-                                const tl_placed *placed,
-                                uint32_t width,
-                                uint32_t height,
-                                tl_camera *out,
-                                tl_error *err)
+tl_status tl_model_camera_at(const tl_model *model,
+                             const tl_placed *placed,
+                             uint32_t width,
+                             uint32_t height,
+                             tl_camera *out,
+                             tl_error *err)
 {
     const tl_gltf_camera *const from = &model->gltf->cameras[placed->what];
     const tl_label label = tl_label_of("camera", (size_t)placed->what, from->name);
@@ -149,6 +149,24 @@ static void grow_box(void *context, const double world[3])
     }
 }
 
+static box box_of(const tl_model *model)
+{
+    const double none = HUGE_VAL;
+    box around = {{none, none, none}, {-none, -none, -none}};
+    for_each_position(model, grow_box, &around);
+    return around;
+}
+
+bool tl_model_bounds(const tl_model *model, double low[3], double high[3])
+{
+    const box around = box_of(model);
+    for (int c = 0; c < 3 && model->draw_count > 0; c++) {
+        low[c] = around.low[c];
+        high[c] = around.high[c];
+    }
+    return model->draw_count > 0;
+}
+
 /* From the front of glTF's models (+z), a little to the right and above: towards the eye. */
 static const double framed_back[3] = {0.45, 0.35, 1.0};
 
@@ -181,8 +199,7 @@ static framing find_framing(const tl_model *model, double aspect, box *around)
     const double none = HUGE_VAL;
     framing f = {
         .tangent = tan(0.5 * framed_fov), .aspect = aspect, .nearest = none, .farthest = -none};
-    *around = (box){{none, none, none}, {-none, -none, -none}};
-    for_each_position(model, grow_box, around);
+    *around = box_of(model);
     if (model->draw_count == 0)
         *around = (box){{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}};
     for (int c = 0; c < 3; c++) {
@@ -236,7 +253,7 @@ tl_status tl_model_camera(const tl_model *model,
 {
     const tl_placed *const found = find_camera(model, wanted);
     if (found)
-        return camera_of_file(model, found, width, height, out, err);
+        return tl_model_camera_at(model, found, width, height, out, err);
     if (wanted)
         return refuse_wanted(model, wanted, err);
     tl_notice(notices, "%s: its scene has no camera; one that shows all of it is used",
