@@ -29,14 +29,20 @@ static double degrees(double radians)
 
 /* --- text -------------------------------------------------------------------------------------- */
 
-/* A name of the file in quotes, so that it cannot steer a terminal; nothing for none. */
+/* A text of the file, without what steers a terminal. */
+static void print_plain(const char *text)
+{
+    for (; *text; text++)
+        putchar((unsigned char)*text < 0x20 || *text == 0x7f ? '?' : *text);
+}
+
+/* A name of the file in quotes; nothing for none. */
 static void print_name(const char *before, const char *name)
 {
     if (!name[0])
         return;
     printf("%s\"", before);
-    for (; *name; name++)
-        putchar((unsigned char)*name < 0x20 || *name == 0x7f ? '?' : *name);
+    print_plain(name);
     putchar('"');
 }
 
@@ -159,8 +165,9 @@ static void print_animations(const tl_scene_info *of)
 
 static void print_extension(const tl_scene_extension *e)
 {
-    printf("extension   %s%s, %s: %s\n", e->name, e->is_required ? ", required" : "",
-           fate_words[e->fate], e->effect);
+    fputs("extension   ", stdout);
+    print_plain(e->name);
+    printf("%s, %s: %s\n", e->is_required ? ", required" : "", fate_words[e->fate], e->effect);
 }
 
 void info_print_scene(const tl_scene_info *of)
