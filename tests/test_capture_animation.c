@@ -19,7 +19,7 @@ static const char rest[] =
     "\"extensionsUsed\":[\"KHR_lights_punctual\"],\n"
     "\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[{\"type\":\"point\"}]}},"
     "\n" SQUARE_CAMERA ",\n\"meshes\":[{\"primitives\":[{\"indices\":3,\"attributes\":{"
-                       "\"POSITION\":0,\"NORMAL\":1}}]}],\n"
+    "\"POSITION\":0,\"NORMAL\":1}}]}],\n"
     "\"animations\":[\n"
     " {\"name\":\"slide\",\"samplers\":[{\"input\":4,\"output\":5}],\n"
     "  \"channels\":[{\"sampler\":0,\"target\":{\"node\":0,\"path\":\"translation\"}}]},\n"
@@ -104,7 +104,7 @@ static void squares_are_where_their_curves_are(void **state)
         {"2", 2.1, 1, -4},     /* on it */
         {"ease", 0.5, 1, 0},   /* clamped: its tangents do not lead on */
         {"ease", 1.5, 1, -1.25 + 2 * (0.140625 * 3 + 0.046875 * 5)}, /* t = 1/4 */
-        {"ease", 2, 1, -2},                 /* t = 1/2: -4 + 2 (3 + 5) / 8 */
+        {"ease", 2, 1, -2}, /* t = 1/2: -4 + 2 (3 + 5) / 8 */
         {"ease", 3, 1, -8},
         {"ease", 4, 1, -8},
     };

@@ -163,9 +163,8 @@ static void alpha_modes_still_apply(void **state)
         char material[64];
         shot taken;
         snprintf(material, sizeof material, "\"alphaMode\":\"%s\",", modes[i].mode);
-        char *const text =
-            edited(unlit_scene(material, json), "\"metallicFactor\"",
-                   "\"baseColorTexture\":{\"index\":0},\"metallicFactor\"");
+        char *const text = edited(unlit_scene(material, json), "\"metallicFactor\"",
+                                  "\"baseColorTexture\":{\"index\":0},\"metallicFactor\"");
         capture_ok(text, TL_LAYOUT_FLOAT, &taken);
         assert_int_equal(!isfinite(shown_at(&taken, TL_DEPTH, CENTER - 3, CENTER)),
                          modes[i].is_hole);

@@ -12,9 +12,9 @@
 #define MOST_SETS 8
 #define FEW_SETS 2
 #ifdef MANY_SETS
-#define SET_COUNT MOST_SETS
+#    define SET_COUNT MOST_SETS
 #else
-#define SET_COUNT FEW_SETS
+#    define SET_COUNT FEW_SETS
 #endif
 
 /* Texture units, and the order of per-slot uniforms: that of TL_GLTF_SLOTS. */

@@ -16,13 +16,13 @@ enum { TL_DEFAULT_ANISOTROPY = 16, TL_MAX_ANISOTROPY = 16 };
 
 typedef struct tl_capture_options {
     uint32_t width, height; /* px of the picture; 0: 1280 x 720 */
-    uint32_t samples; /* of each of them, a square number up to TL_MAX_SAMPLES; 0: 1. width and height times its
-                       * root are TL_MAX_EXTENT at most */
-    const char *camera; /* name or index; NULL: the first of the default scene, else framed */
-    const char *variant; /* of the materials, by name or index; NULL: the file's own materials */
+    /* Of each pixel, a square number up to TL_MAX_SAMPLES; 0: 1. Width and height times its root are
+     * TL_MAX_EXTENT at most. */
+    uint32_t samples;
+    const char *camera;  /* name or index; NULL: the first of the default scene, else framed */
+    const char *variant; /* of materials, name or index; NULL: the file's own materials */
     enum tl_layout_name layout; /* how pixels are packed; 0 is full float */
-    uint32_t
-        anisotropy; /* of textures that have mipmaps, 1 (off) to 16; 0: TL_DEFAULT_ANISOTROPY */
+    uint32_t anisotropy; /* where there are mipmaps, 1 (off) to 16; 0: TL_DEFAULT_ANISOTROPY */
     /* When: an animation of the file, by name or index, at a time in s; without both the scene is as the
      * file has it. NULL: the first. Beyond its end it is at its end, which is told. */
     const char *animation;
