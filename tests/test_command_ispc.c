@@ -93,6 +93,17 @@ static void info_says_what_is_inside(void **state)
     expect_run("$T info $C --json", 0, "\"model\": \"blinn-phong-normalized\"", "");
 }
 
+static void a_bench_counts_the_pairs_that_they_count(void **state)
+{
+    (void)state;
+    const program_run *run = expect_run("$T bench --baselines --capture $C --quick --seconds "
+                                        "0.02 --quiet --json b.json && cat b.json",
+                                        0, "\"pairs\": 23295744", "");
+    assert_non_null(strstr(run->out, "\"file\": \"mid1280x720.bin\""));
+    assert_non_null(strstr(run->out, "\"size\": \"1280x720\""));
+    assert_null(strstr(run->out, "\"case\""));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -100,6 +111,7 @@ int main(void)
         cmocka_unit_test(so_is_that_of_the_reference),
         cmocka_unit_test(options_bring_ours),
         cmocka_unit_test(info_says_what_is_inside),
+        cmocka_unit_test(a_bench_counts_the_pairs_that_they_count),
     };
     if (!find_capture()) {
         fprintf(stderr, "skipped: no ispc/mid1280x720.bin (TILELIGHT_ASSETS)\n");

@@ -11,6 +11,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Longer than for a case: a ratio is what the project is held to. */
 static const double seconds_per_baseline = 8.0, quick_seconds = 1.5, quick_once_above = 1.0;
@@ -111,8 +112,21 @@ done:
     return status;
 }
 
+/* A capture by the name of its file: where that lies is no part of a result. */
+static json_t *capture_json(const bench_session *s, const tl_lighting_counts *counts)
+{
+    const char *const slash = strrchr(s->options->capture, '/');
+    const tl_camera *const camera = &s->frame.gbuffer->camera;
+    char size[32];
+    snprintf(size, sizeof size, "%ux%u", camera->width, camera->height);
+    return json_pack("{ss ss sI sI}", "file", slash ? slash + 1 : s->options->capture, "size",
+                     size, "lights", (json_int_t)s->frame.lights.count, "pairs_listed",
+                     (json_int_t)counts->pair_count);
+}
+
 static tl_status write_json(const bench_session *s,
                             const tl_ratio *ratios,
+                            const tl_lighting_counts *counts,
                             uint64_t pair_count,
                             tl_error *err)
 {
@@ -121,9 +135,10 @@ static tl_status write_json(const bench_session *s,
     const tl_device_info device = tl_device_describe(s->device);
     json_t *report = tl_bench_json_begin(&s->machine);
     json_object_set_new(report, "device", tl_bench_json_device(&device));
-    json_object_set_new(report, "case", tl_bench_json_case(&s->cases.cases[0]));
     if (s->options->capture)
-        json_object_set_new(report, "capture", json_string(s->options->capture));
+        json_object_set_new(report, "capture", capture_json(s, counts));
+    else
+        json_object_set_new(report, "case", tl_bench_json_case(&s->cases.cases[0]));
     json_object_set_new(report, "hand_instruction_set", json_string(tl_hand_instruction_set()));
     json_object_set_new(report, "pairs", json_integer((json_int_t)pair_count));
     json_t *table = tl_ratios_json(ratios, (size_t)tl_baseline_count, pair_count);
@@ -161,7 +176,7 @@ tl_status bench_run_baselines(bench_session *s, tl_error *err)
     if (s->table && multipass)
         fprintf(s->table, "multipass is %s, the faster of the two\n",
                 multipass->baseline->name);
-    TRY(write_json(s, ratios, pair_count, err));
+    TRY(write_json(s, ratios, &counts, pair_count, err));
 done:
     tl_lighting_destroy(lighting);
     free(ratios);
