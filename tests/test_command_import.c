@@ -90,7 +90,8 @@ static void info_says_what_is_there(void **state)
                "");
     expect_run("$T info all.exr --fov 60", 0, "missing     nothing that lighting needs", "");
     expect_run("$T info depth.exr", 0, "holds normals", "");
-    expect_run("printf 'Pf\\n1 1\\n-1\\nabcd' > d.pfm && $T info d.pfm", 0, "PFM", "");
+    expect_run("printf 'Pf\\n1 1\\n-1\\nabcd' > d.pfm && $T info d.pfm", 0, "PFM of another program\n", "");
+    expect_run("$T info d.pfm --json", 0, "\"size\": null", "");
     const program_run *run = expect_run("$T info all.exr --json", 0, "", "");
     json_t *report = json_loads(run->out, 0, NULL);
     assert_non_null(report);

@@ -12,6 +12,12 @@ static const char *const space_words[TL_SPACE_COUNT] = {
 #undef SPACE_WORD
 };
 
+/* Not where no plane was found: parts may differ. */
+static bool has_size(const tl_import_plan *plan)
+{
+    return plan->width > 0;
+}
+
 static bool is_cropped(const tl_source_part *part)
 {
     return part->exr.stream && part->width > 0 &&
@@ -52,8 +58,10 @@ void info_print_import(const tl_import_plan *plan)
 {
     const tl_source *source = &plan->sources[0];
     tl_import_plane plane;
-    printf("capture     %s of another program, %u x %u pixels\n", source->format->name,
-           plan->width, plan->height);
+    printf("capture     %s of another program", source->format->name);
+    if (has_size(plan))
+        printf(", %u x %u pixels", plan->width, plan->height);
+    putchar('\n');
     for (uint32_t i = 0; i < source->part_count; i++)
         print_part(&source->parts[i], i);
     printf("%-40s %-5s %4s  %s\n", "channel", "type", "part", "taken as");
@@ -68,7 +76,7 @@ void info_print_import(const tl_import_plan *plan)
             printf("%-11s of the space \"%s\", as %s writes \"%s\"\n", tl_import_kinds[p].word,
                    space_words[alias->space], alias->program, alias->name);
     }
-    if (!plan->camera.missing[0] && plan->width > 0)
+    if (!plan->camera.missing[0] && has_size(plan))
         printf("camera      lens by %s; %s%s\n", plan->camera.lens,
                plan->camera.is_placed ? "place by " : "its place is not said",
                plan->camera.place);
@@ -107,10 +115,12 @@ json_t *info_import_json(const tl_import_plan *plan)
             json_object_set_new(channel, "plane", json_string(tl_import_kinds[plane].word));
         json_array_append_new(channels, channel);
     }
-    return json_pack("{ss ss s[ii] so so so so}", "kind", "capture", "format",
-                     source->format->name, "size", (int)plan->width, (int)plan->height, "parts",
-                     parts, "channels", channels, "camera",
-                     plan->camera.missing[0] || plan->width == 0
+    json_t *size =
+        has_size(plan) ? json_pack("[ii]", (int)plan->width, (int)plan->height) : json_null();
+    return json_pack("{ss ss so so so so so}", "kind", "capture", "format",
+                     source->format->name, "size", size, "parts", parts, "channels", channels,
+                     "camera",
+                     plan->camera.missing[0] || !has_size(plan)
                          ? json_null()
                          : json_pack("{ss sb ss}", "lens", plan->camera.lens, "is_placed",
                                      (int)plan->camera.is_placed, "place", plan->camera.place),
