@@ -1,16 +1,12 @@
-#define _POSIX_C_SOURCE 200809L
 #include "capture_read.h"
 
 #include "ispc_read.h"
+#include "regular_file.h"
 #include "tilelight/gbuffer_file.h"
 #include "try.h"
 
-#include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 static bool is_exr(const tl_capture_start *start)
 {
@@ -82,22 +78,9 @@ const size_t tl_capture_format_count = sizeof tl_capture_formats / sizeof tl_cap
 
 static tl_status read_start(const char *path, tl_capture_start *out, tl_error *err)
 {
-    tl_status status = TL_OK;
-    struct stat seen;
     *out = (tl_capture_start){.path = path};
-    const int descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (descriptor < 0)
-        return tl_fail(err, TL_ERR_READ, "%s: cannot be opened: %s", path, strerror(errno));
-    if (fstat(descriptor, &seen) != 0 || !S_ISREG(seen.st_mode))
-        TRY(tl_fail(err, TL_ERR_READ, "%s: cannot be read: it is no regular file", path));
-    const ssize_t got = pread(descriptor, out->bytes, sizeof out->bytes, 0);
-    if (got < 0)
-        TRY(tl_fail(err, TL_ERR_READ, "%s: cannot be read: %s", path, strerror(errno)));
-    out->size = (size_t)got;
-    out->file_size = (uint64_t)seen.st_size;
-done:
-    close(descriptor);
-    return status;
+    return tl_regular_file_start(path, out->bytes, sizeof out->bytes, &out->size,
+                                 &out->file_size, err);
 }
 
 static const tl_capture_format *format_of(const tl_capture_start *start)

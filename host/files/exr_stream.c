@@ -2,6 +2,7 @@
 #include "exr_stream.h"
 
 #include "atomic_file.h"
+#include "regular_file.h"
 #include "tilelight/camera.h"
 #include "try.h"
 
@@ -179,16 +180,11 @@ tl_status tl_exr_stream_open(tl_exr_stream *stream,
                              uint64_t *file_size,
                              tl_error *err)
 {
-    tl_status status = TL_OK;
-    struct stat seen;
-    const int descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (descriptor < 0)
-        return tl_fail(err, TL_ERR_READ, "%s: cannot be opened: %s", path, strerror(errno));
-    if (fstat(descriptor, &seen) != 0 || !S_ISREG(seen.st_mode))
-        TRY(tl_fail(err, TL_ERR_READ, "%s: cannot be read: it is no regular file", path));
-    TRY(tl_exr_stream_read(stream, path, descriptor, err));
-    *file_size = (uint64_t)seen.st_size;
-done:
+    int descriptor;
+    tl_status status = tl_regular_file_open(path, &descriptor, file_size, err);
+    if (status != TL_OK)
+        return status;
+    status = tl_exr_stream_read(stream, path, descriptor, err);
     if (status != TL_OK)
         close(descriptor);
     return status;

@@ -2,15 +2,14 @@
 #include "ispc_read.h"
 
 #include "packing.h"
+#include "regular_file.h"
 #include "try.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #if __BYTE_ORDER__ != __ORDER_LITTLE_ENDIAN__
@@ -272,18 +271,16 @@ done:
     return status;
 }
 
-static tl_status read_header(int file, const char *path, header *out, tl_error *err)
+static tl_status read_header(
+    int file, uint64_t file_size, const char *path, header *out, tl_error *err)
 {
     tl_status status = TL_OK;
-    struct stat seen;
     TRY(read_at(file, path, out, sizeof *out, 0, err));
-    if (fstat(file, &seen) != 0)
-        TRY(tl_fail(err, TL_ERR_READ, "%s: cannot be read: %s", path, strerror(errno)));
     if (!makes_sense(out))
         TRY(tl_fail(err, TL_ERR_FORMAT,
                     "%s: is no capture: its header has sizes or planes that none can have",
                     path));
-    TRY(check_size(path, out, (uint64_t)seen.st_size, err));
+    TRY(check_size(path, out, file_size, err));
     TRY(check_planes(path, out, err));
     TRY(check_projection(path, out, err));
 done:
@@ -298,10 +295,12 @@ tl_status tl_ispc_read(const tl_capture_request *request, tl_captured *out, tl_e
                         .has_look = true,
                         .look = {.tone = TL_TONE_NONE, .curve = TL_CURVE_GAMMA_22}};
     header h;
-    const int file = open(path, O_RDONLY | O_CLOEXEC);
-    if (file < 0)
-        return tl_fail(err, TL_ERR_READ, "%s: cannot be opened: %s", path, strerror(errno));
-    TRY(read_header(file, path, &h, err));
+    uint64_t file_size;
+    int file = -1;
+    status = tl_regular_file_open(path, &file, &file_size, err);
+    if (status != TL_OK)
+        return status;
+    TRY(read_header(file, file_size, path, &h, err));
     TRY(read_lights(file, path, &h, &read.lights, err));
     TRY(read_gbuffer(file, path, &h, &read.gbuffer, err));
     *out = read;

@@ -1,15 +1,11 @@
-#define _POSIX_C_SOURCE 200809L
 #include "source.h"
 
+#include "regular_file.h"
 #include "tilelight/import.h"
 #include "try.h"
 
-#include <errno.h>
-#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 const tl_source_format *const tl_source_formats[] = {&tl_source_exr, &tl_source_pfm,
                                                      &tl_source_png};
@@ -30,25 +26,17 @@ bool tl_import_recognises(const unsigned char *bytes, size_t size)
 
 static tl_status read_start(tl_source *source, tl_error *err)
 {
-    tl_status status = TL_OK;
     unsigned char bytes[64];
-    struct stat seen;
-    const char *path = source->path;
-    const int descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (descriptor < 0)
-        return tl_fail(err, TL_ERR_READ, "%s: cannot be opened: %s", path, strerror(errno));
-    if (fstat(descriptor, &seen) != 0 || !S_ISREG(seen.st_mode))
-        TRY(tl_fail(err, TL_ERR_READ, "%s: cannot be read: it is no regular file", path));
-    const ssize_t got = pread(descriptor, bytes, sizeof bytes, 0);
-    if (got < 0)
-        TRY(tl_fail(err, TL_ERR_READ, "%s: cannot be read: %s", path, strerror(errno)));
-    source->format = format_of(bytes, (size_t)got);
-    source->file_size = (uint64_t)seen.st_size;
+    size_t got;
+    const tl_status status =
+        tl_regular_file_start(source->path, bytes, sizeof bytes, &got, &source->file_size, err);
+    if (status != TL_OK)
+        return status;
+    source->format = format_of(bytes, got);
     if (!source->format)
-        TRY(tl_fail(err, TL_ERR_FORMAT, "%s: is neither OpenEXR nor PFM nor PNG", path));
-done:
-    close(descriptor);
-    return status;
+        return tl_fail(err, TL_ERR_FORMAT, "%s: is neither OpenEXR nor PFM nor PNG",
+                       source->path);
+    return TL_OK;
 }
 
 tl_status tl_source_open(tl_source *source, const char *path, tl_error *err)
