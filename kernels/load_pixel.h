@@ -41,7 +41,16 @@ TL_INLINE tl_words load_words(const tl_layout *layout,
     return words;
 }
 
-#define ALL_WORDS ((1u << TL_MAX_WORDS) - 1u)
+/* The words that shading reads, bits 1 << word. */
+TL_INLINE uint words_read(const tl_layout *layout)
+{
+    uint words = 0;
+#pragma unroll
+    for (uint i = 0; i < TL_MAX_WORDS; i++)
+        if (word_bytes(layout, TL_PRESENT & ~TL_IDLE, i) != 0)
+            words |= 1u << i;
+    return words;
+}
 
 /* The words that depth or a position is read from, bits 1 << word. */
 TL_INLINE uint depth_words(const tl_layout *layout)

@@ -16,16 +16,27 @@ typedef struct tl_needs {
     tl_u32
         one_color; /* 1: the lobe is diffuse light times one number a pixel, for the model tints it,
                             specular colours are grey, and both lobes of every light have one colour */
+    tl_u32 ambient; /* 1: there is ambient light */
+    tl_u32
+        idle; /* planes of `present` that change nothing here, bits 1 << plane: they are not read,
+                     * and have the value that planes.h gives what was not hit */
 } tl_needs;
 
 #ifdef __OPENCL_C_VERSION__
 TL_INLINE tl_needs needs_of_build(void)
 {
-    const tl_needs needs = {TL_PRESENT, TL_FALLOFFS_USED, TL_SPECULAR, TL_ORTHOGRAPHIC,
-                            TL_LAYOUT,  TL_MODEL,         TL_ONE_COLOR};
+    const tl_needs needs = {TL_PRESENT,      TL_FALLOFFS_USED, TL_SPECULAR,
+                            TL_ORTHOGRAPHIC, TL_LAYOUT,        TL_MODEL,
+                            TL_ONE_COLOR,    TL_AMBIENT,       TL_IDLE};
     return needs;
 }
 #endif
+
+/* Whether one of these planes is there and read. */
+TL_INLINE int reads_planes(tl_needs needs, tl_u32 planes)
+{
+    return (needs.present & ~needs.idle & planes) != 0;
+}
 
 /* Whether the lobe of the scene's model is multiplied by this. */
 TL_INLINE int lobe_has(tl_needs needs, enum tl_lobe_factor factor)

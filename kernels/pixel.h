@@ -66,8 +66,9 @@ TL_INLINE real channel_of(tl_needs needs,
     real radiance = diffuse * diffuse_light;
     if (needs.specular && !needs.one_color)
         radiance = FMA(specular, specular_light, radiance);
-    radiance = radiance + ambient_light;
-    if (needs.present & TL_GROUP_EMISSIVE)
+    if (needs.ambient)
+        radiance = radiance + ambient_light;
+    if (reads_planes(needs, TL_GROUP_EMISSIVE))
         radiance = radiance + emissive;
     return radiance;
 }
@@ -75,7 +76,7 @@ TL_INLINE real channel_of(tl_needs needs,
 TL_INLINE real ambient_of(tl_needs needs, real albedo, scalar ambient, real occlusion)
 {
     const real light = albedo * ambient;
-    if (needs.present & TL_GROUP_OCCLUSION)
+    if (reads_planes(needs, TL_GROUP_OCCLUSION))
         return light * occlusion;
     return light;
 }

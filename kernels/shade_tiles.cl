@@ -37,7 +37,7 @@ TL_INLINE void ask_for_next_tile(const tl_layout *layout,
                                  const tl_frame *frame)
 {
     const size_t plane_size = (size_t)frame->rows * frame->pitch;
-    ask_for_next(layout, ALL_WORDS, planes, first, frame);
+    ask_for_next(layout, words_read(layout), planes, first, frame);
     for (uint plane = 0; plane < 3; plane++)
         for (uint column = 0; column < frame->tile_size; column += BYTES_PER_LINE / 4)
             ASK_FOR_ROWS(radiance + plane * plane_size + first + frame->tile_size + column,

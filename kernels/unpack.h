@@ -113,7 +113,7 @@ TL_INLINE vec3 position_of(const tl_frame *frame,
         depth_of(frame, needs, layout->depth.code, stored_depth(layout, words)));
 }
 
-/* `depth`: of its position. What the frame lacks has the value planes.h gives it. */
+/* `depth`: of its position. What the frame lacks, or need not read, has the value planes.h gives it. */
 TL_INLINE pixel pixel_of(tl_needs needs,
                          const tl_layout *layout,
                          const tl_words *words,
@@ -127,17 +127,17 @@ TL_INLINE pixel pixel_of(tl_needs needs,
     p.specular = p.emissive = black;
     p.shininess = p.metallic = p.roughness = R(0.0);
     p.occlusion = R(1.0);
-    if (needs.present & TL_GROUP_PHONG) {
+    if (reads_planes(needs, TL_GROUP_PHONG)) {
         p.specular = stored_color(&layout->specular, words);
         p.shininess = stored_shininess(layout, words);
     }
-    if (needs.present & TL_GROUP_METAL_ROUGH) {
+    if (reads_planes(needs, TL_HAS(TL_METALLIC)))
         p.metallic = channel_value(layout->metallic.channels[0], words);
+    if (reads_planes(needs, TL_HAS(TL_ROUGHNESS)))
         p.roughness = channel_value(layout->roughness.channels[0], words);
-    }
-    if (needs.present & TL_GROUP_OCCLUSION)
+    if (reads_planes(needs, TL_GROUP_OCCLUSION))
         p.occlusion = channel_value(layout->occlusion.channels[0], words);
-    if (needs.present & TL_GROUP_EMISSIVE)
+    if (reads_planes(needs, TL_GROUP_EMISSIVE))
         p.emissive = stored_color(&layout->emissive, words);
     return p;
 }

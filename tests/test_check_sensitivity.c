@@ -101,7 +101,9 @@ static unsigned count_refused(const tl_checked_frame *frame,
     tl_image *image = image_like(frame->gbuffer);
     tl_error err;
     ASSERT_OK(
-        tl_prepare(changed, &frame->lights, 16, 0, frame->light_cutoff, NULL, &prepared, &err),
+        tl_prepare(changed, &frame->lights,
+                   &(tl_prepare_options){.tile_size = 16, .light_cutoff = frame->light_cutoff},
+                   NULL, &prepared, &err),
         err);
     if (change)
         change(&prepared);

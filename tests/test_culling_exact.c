@@ -45,7 +45,9 @@ static void shells(const tl_gbuffer *g, tl_light_set *lights, uint32_t count)
     uint32_t seed = 20110901;
     tl_error err;
     scattered(g, lights, count);
-    ASSERT_OK(tl_prepare(g, lights, 16, 1, 0.0f, NULL, &prepared, &err), err);
+    ASSERT_OK(tl_prepare(g, lights, &(tl_prepare_options){.tile_size = 16, .box_count = 1},
+                         NULL, &prepared, &err),
+              err);
     for (uint32_t i = 0; i < count; i++) {
         const uint32_t column = (uint32_t)uniform(&seed, 0.0f, (float)g->camera.width);
         const uint32_t row = (uint32_t)uniform(&seed, 0.0f, (float)g->camera.height);

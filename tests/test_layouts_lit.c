@@ -77,7 +77,9 @@ static void light_the_pixels(const tl_gbuffer *g, tl_light_set *lights)
     vec3 at[LIGHT_COUNT];
     uint32_t seed = 20110901;
     tl_error err;
-    ASSERT_OK(tl_prepare(g, lights, 16, 1, 0.0f, NULL, &prepared, &err), err);
+    ASSERT_OK(tl_prepare(g, lights, &(tl_prepare_options){.tile_size = 16, .box_count = 1},
+                         NULL, &prepared, &err),
+              err);
     for (int i = 0; i < LIGHT_COUNT; i++) {
         const uint32_t x = (uint32_t)uniform(&seed, 0.0f, WIDTH);
         const uint32_t y = (uint32_t)uniform(&seed, 0.0f, HEIGHT);
@@ -97,7 +99,9 @@ static void light_the_pixels(const tl_gbuffer *g, tl_light_set *lights)
         light.intensity = 1e6f; /* so that what the window leaves at the rim shows */
         ASSERT_OK(tl_light_set_add(lights, &light, &err), err);
     }
-    ASSERT_OK(tl_prepare(g, lights, 16, 1, 0.0f, NULL, &prepared, &err), err);
+    ASSERT_OK(tl_prepare(g, lights, &(tl_prepare_options){.tile_size = 16, .box_count = 1},
+                         NULL, &prepared, &err),
+              err);
     for (int i = 0; i < LIGHT_COUNT; i++) {
         const vec3 l = vector_to_light(at[i], prepared.lights[i]);
         const float rim = sqrtf(dot3(l, l));
@@ -144,7 +148,9 @@ static scene scene_of(size_t frame, int layout)
     s.got = image_like(s.g);
     s.want[TL_PRECISION_FLOAT] = image_like(s.g);
     s.want[TL_PRECISION_DOUBLE] = image_like(s.g);
-    ASSERT_OK(tl_prepare(s.g, &s.lights, 16, 1, 0.0f, NULL, &prepared, &err), err);
+    ASSERT_OK(tl_prepare(s.g, &s.lights, &(tl_prepare_options){.tile_size = 16, .box_count = 1},
+                         NULL, &prepared, &err),
+              err);
     tl_reference_light(&prepared, s.g, TL_TWIN_FLOAT, s.want[TL_PRECISION_FLOAT]);
     tl_reference_light(&prepared, s.g, TL_TWIN_DOUBLE, s.want[TL_PRECISION_DOUBLE]);
     tl_prepared_clear(&prepared);
@@ -257,7 +263,10 @@ static void the_reference_reads_the_same(void **state)
             tl_error err;
             for (size_t i = 0; i < s.lights.count; i++)
                 s.lights.lights[i].specular = 0.0f;
-            ASSERT_OK(tl_prepare(s.g, &s.lights, 16, 1, 0.0f, NULL, &prepared, &err), err);
+            ASSERT_OK(tl_prepare(s.g, &s.lights,
+                                 &(tl_prepare_options){.tile_size = 16, .box_count = 1}, NULL,
+                                 &prepared, &err),
+                      err);
             tl_reference_light(&prepared, s.g, TL_TWIN_DOUBLE, s.want[0]);
             tl_reference_light(&prepared, s.g, TL_TWIN_REFERENCE, s.got);
             assert_same_image(s.got, s.want[0], tl_layout_word(s.g->layout));

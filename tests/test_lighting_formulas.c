@@ -335,7 +335,8 @@ static void one_light_by_hand(void **state)
     tl_gbuffer_destroy(g);
 }
 
-/* Kernels are promised finite numbers, however near a falloff begins to where it ends. */
+/* Kernels are promised finite numbers, however near a falloff begins to where it ends; and where lights
+ * are kept that reach nothing. */
 static void falloffs_stay_finite(void **state)
 {
     static const float ranges[] = {1e-45f, 1e-38f, 1.0f, 1e18f, FLT_MAX};
@@ -355,7 +356,12 @@ static void falloffs_stay_finite(void **state)
             light.range = r;
             light.begin = k == 0 ? 1e-45f : k == 1 ? nextafterf(r, 0.0f) : r;
             ASSERT_OK(tl_light_set_add(&lights, &light, &err), err);
-            ASSERT_OK(tl_prepare(g, &lights, 16, 1, 0.0f, NULL, &prepared, &err), err);
+            ASSERT_OK(tl_prepare(g, &lights,
+                                 &(tl_prepare_options){.tile_size = 16,
+                                                       .box_count = 1,
+                                                       .effects = TL_EFFECTS_ALL},
+                                 NULL, &prepared, &err),
+                      err);
             memcpy(&offset, &prepared.lights[0].falloff, sizeof offset);
             assert_true(isfinite(prepared.lights[0].fade));
             if (light.begin > 0.0f)

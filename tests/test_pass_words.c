@@ -114,8 +114,8 @@ static void counted_words_are_those_that_matter(void **state)
                 contents[c] & tl_layout_planes((enum tl_layout_name)layout);
             const bool has_lobe = present & (TL_GROUP_PHONG | TL_GROUP_METAL_ROUGH);
             for (uint32_t specular = 0; specular <= has_lobe; specular++)
-                check_words(
-                    (tl_needs){.present = present, .specular = specular, .layout = layout});
+                check_words((tl_needs){
+                    .present = present, .specular = specular, .layout = layout, .ambient = 1});
         }
 }
 

@@ -176,8 +176,10 @@ static void lists_are_the_same(void **state)
             lists made[COUNT_OF(ways)];
             tl_error err;
             lights_of_case(i, g, &lights);
-            ASSERT_OK(tl_prepare(g, &lights, cases[i].tile_size, box_count, 0.0f, NULL,
-                                 &prepared, &err),
+            ASSERT_OK(tl_prepare(g, &lights,
+                                 &(tl_prepare_options){.tile_size = cases[i].tile_size,
+                                                       .box_count = box_count},
+                                 NULL, &prepared, &err),
                       err);
             for (size_t way = 0; way < COUNT_OF(ways); way++) {
                 const uint32_t width = ways[way].by_pixel ? 1 : widest;

@@ -23,7 +23,9 @@ static void every_width_agrees(tl_device *device,
         tl_prepared prepared = {0};
         tl_error err;
         lights.model = model;
-        ASSERT_OK(tl_prepare(g, &lights, 16, 1, 0.0f, NULL, &prepared, &err), err);
+        ASSERT_OK(tl_prepare(g, &lights, &(tl_prepare_options){.tile_size = 16, .box_count = 1},
+                             NULL, &prepared, &err),
+                  err);
         tl_reference_light(&prepared, g, arithmetic, want);
         for (size_t w = 0; w < COUNT_OF(widths); w++) {
             tl_lighting_options options = tl_lighting_options_default();
@@ -90,7 +92,9 @@ static tl_u32 prepares_one_color(const tl_gbuffer *g, const tl_light_set *lights
 {
     tl_prepared prepared = {0};
     tl_error err;
-    ASSERT_OK(tl_prepare(g, lights, 16, 1, 0.0f, NULL, &prepared, &err), err);
+    ASSERT_OK(tl_prepare(g, lights, &(tl_prepare_options){.tile_size = 16, .box_count = 1},
+                         NULL, &prepared, &err),
+              err);
     const tl_u32 found = prepared.needs.one_color;
     tl_prepared_clear(&prepared);
     return found;

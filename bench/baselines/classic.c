@@ -109,7 +109,9 @@ static tl_status make_program(classic *c, tl_error *err)
                                        .orthographic = needs->orthographic,
                                        .present = needs->present,
                                        .specular = needs->specular,
-                                       .falloffs = needs->falloffs};
+                                       .falloffs = needs->falloffs,
+                                       .ambient = needs->ambient,
+                                       .idle = needs->idle};
     const size_t items = (size_t)frame->tiles_x * frame->tiles_y * TILE * TILE;
     tl_status status = TL_OK;
     TRY(tl_classic_program_make(c->device, &options, items, &c->program, err));
@@ -146,7 +148,9 @@ tl_status classic_create(const tl_baseline_input *input, void **out, tl_error *e
         return tl_fail(err, TL_ERR_MEMORY, "out of memory for a baseline");
     c->device = input->device;
     c->gbuffer = input->gbuffer;
-    TRY(tl_prepare(input->gbuffer, input->lights, TILE, 1, 0.0f, NULL, &c->prepared, err));
+    TRY(tl_prepare(input->gbuffer, input->lights,
+                   &(tl_prepare_options){.tile_size = TILE, .box_count = 1}, NULL, &c->prepared,
+                   err));
     TRY(tl_baseline_check(&c->prepared.needs, ~0u, err));
     TRY(upload(c, err));
     TRY(make_program(c, err));

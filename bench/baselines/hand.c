@@ -111,7 +111,9 @@ static tl_status create(const tl_baseline_input *input,
         return tl_fail(err, TL_ERR_MEMORY, "out of memory for a baseline");
     h->code = code;
     h->worker_count = tl_thread_count();
-    TRY(tl_prepare(input->gbuffer, input->lights, HAND_TILE, 1, 0.0f, NULL, &h->prepared, err));
+    TRY(tl_prepare(input->gbuffer, input->lights,
+                   &(tl_prepare_options){.tile_size = HAND_TILE, .box_count = 1}, NULL,
+                   &h->prepared, err));
     if (!(is_relaxed && has_one_color(input, &h->prepared)))
         TRY(tl_baseline_check(&h->prepared.needs, ~0u, err));
     open_ranges(&h->prepared);

@@ -2,6 +2,7 @@
 
 #include "falloff.h"
 #include "layout.h"
+#include "scene_causes.h"
 #include "view.h"
 
 #include <float.h>
@@ -111,20 +112,23 @@ static int has_one_color(const tl_prepared *prepared)
         tl_layouts[needs->layout].specular.code != TL_COLOR_GRAY ||
         !(needs->present & TL_GROUP_PHONG))
         return 0;
-    for (uint32_t i = 0; i < prepared->frame.light_count; i++)
-        if (memcmp(prepared->lights[i].diffuse, prepared->lights[i].specular,
-                   sizeof prepared->lights[i].diffuse) != 0)
-            return 0;
-    return 1;
+    return prepared->two_colored_count == 0;
+}
+
+static int has_two_colors(const tl_view_light *light)
+{
+    return memcmp(light->diffuse, light->specular, sizeof light->diffuse) != 0;
 }
 
 /* Lights in the order of the set, first the global ones, then the others. */
 static void collect(const tl_camera *camera,
                     const tl_light_set *lights,
-                    float cutoff,
+                    const tl_prepare_options *options,
                     int global,
                     tl_prepared *prepared)
 {
+    tl_explanation *explanation = &prepared->explanation;
+    const float cutoff = options->light_cutoff;
     for (size_t i = 0; i < lights->count; i++) {
         const tl_light *light = &lights->lights[i];
         if (light->type == TL_LIGHT_SPOT || is_global(light, cutoff) != global)
@@ -132,14 +136,24 @@ static void collect(const tl_camera *camera,
         const tl_view_light v = light->type == TL_LIGHT_DIRECTIONAL
                                     ? directional(camera, light)
                                     : point(camera, light, cutoff);
-        prepared->needs.falloffs |= 1u << falloff_row(v.falloff);
-        prepared->needs.specular |=
-            v.specular[0] > 0.0f || v.specular[1] > 0.0f || v.specular[2] > 0.0f;
+        const int is_idle = tl_light_is_idle(explanation, &v, (uint32_t)i, global);
+        if (is_idle && options->effects != TL_EFFECTS_ALL)
+            continue;
+        tl_causes_of_light(explanation, &v, (uint32_t)i, global);
+        prepared->two_colored_count += !is_idle && has_two_colors(&v);
         prepared->sources[prepared->frame.light_count] = (uint32_t)i;
         prepared->lights[prepared->frame.light_count++] = v;
     }
     if (global)
         prepared->frame.global_count = prepared->frame.light_count;
+}
+
+static uint32_t count_left_out(const tl_light_set *lights)
+{
+    uint32_t count = 0;
+    for (size_t i = 0; i < lights->count; i++)
+        count += lights->lights[i].type == TL_LIGHT_SPOT;
+    return count;
 }
 
 static void name_left_out(const tl_light_set *lights,
@@ -163,10 +177,12 @@ static void name_left_out(const tl_light_set *lights,
 
 static tl_frame frame_of(const tl_gbuffer *gbuffer,
                          const tl_light_set *lights,
-                         uint32_t tile_size)
+                         const tl_prepare_options *options)
 {
     const tl_camera *camera = &gbuffer->camera;
+    const uint32_t tile_size = options->tile_size;
     tl_frame frame = {.tile_size = tile_size,
+                      .box_count = options->box_count,
                       .pitch = gbuffer->pitch,
                       .rows = gbuffer->rows,
                       .tiles_x = (camera->width + tile_size - 1) / tile_size,
@@ -198,9 +214,7 @@ static tl_status reserve_lights(tl_prepared *prepared, size_t count, tl_error *e
 
 tl_status tl_prepare(const tl_gbuffer *gbuffer,
                      const tl_light_set *lights,
-                     uint32_t tile_size,
-                     uint32_t box_count,
-                     float light_cutoff,
+                     const tl_prepare_options *options,
                      const tl_notices *notices,
                      tl_prepared *prepared,
                      tl_error *err)
@@ -208,18 +222,17 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
     const tl_status status = reserve_lights(prepared, lights->count, err);
     if (status != TL_OK)
         return status;
-    prepared->frame = frame_of(gbuffer, lights, tile_size);
-    prepared->frame.box_count = box_count;
-    prepared->needs = (tl_needs){.present = gbuffer->present,
-                                 .layout = gbuffer->layout,
-                                 .model = lights->model,
-                                 .orthographic = gbuffer->camera.projection == TL_ORTHOGRAPHIC};
-    collect(&gbuffer->camera, lights, light_cutoff, 1, prepared);
-    collect(&gbuffer->camera, lights, light_cutoff, 0, prepared);
-    if (!(gbuffer->present & (TL_GROUP_PHONG | TL_GROUP_METAL_ROUGH)))
-        prepared->needs.specular = 0;
-    prepared->needs.one_color = (tl_u32)has_one_color(prepared);
-    prepared->left_out_count = (uint32_t)(lights->count - prepared->frame.light_count);
+    prepared->frame = frame_of(gbuffer, lights, options);
+    prepared->explanation = tl_causes_of_frame(gbuffer, lights, options->effects);
+    prepared->two_colored_count = 0;
+    collect(&gbuffer->camera, lights, options, 1, prepared);
+    collect(&gbuffer->camera, lights, options, 0, prepared);
+    prepared->needs = tl_needs_of_causes(&prepared->explanation, gbuffer, lights);
+    if (has_one_color(prepared)) {
+        prepared->explanation.causes |= TL_BY(TL_CAUSE_ONE_COLOR);
+        prepared->needs = tl_needs_of_causes(&prepared->explanation, gbuffer, lights);
+    }
+    prepared->left_out_count = count_left_out(lights);
     if (prepared->left_out_count > 0)
         name_left_out(lights, prepared->left_out_count, notices);
     return TL_OK;

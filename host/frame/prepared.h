@@ -7,6 +7,7 @@
 #include "needs.h"
 #include "tile_rect.h"
 
+#include "tilelight/effects.h"
 #include "tilelight/gbuffer.h"
 #include "tilelight/lights.h"
 
@@ -17,16 +18,25 @@ typedef struct tl_prepared {
     uint32_t *sources;     /* [capacity], of each its index in the light set; owned */
     size_t capacity;
     uint32_t left_out_count; /* lights of types that lighting does not know */
+    uint32_t
+        two_colored_count; /* lights that add something, and whose lobes differ in colour */
+    tl_explanation explanation; /* where `needs` comes from */
 } tl_prepared;
 
-/* box_count: tl_frame.box_count. Fills *prepared, growing its lights where they do not fit; all zero is a valid start. Names the
- * lights it leaves out in a notice. Fails with TL_ERR_ARGUMENT (more than 2^31 lights) or
+typedef struct tl_prepare_options {
+    uint32_t tile_size; /* px */
+    uint32_t box_count; /* tl_frame.box_count */
+    float light_cutoff; /* tl_lighting_options.light_cutoff */
+    tl_effects_mode effects;
+} tl_prepare_options;
+
+/* Fills *prepared, growing its lights where they do not fit; all zero is a valid start. Lights that add
+ * exactly nothing are not among them (explanation.idle_lights), unless all effects are asked for. Names the
+ * lights of types that it leaves out in a notice. Fails with TL_ERR_ARGUMENT (more than 2^31 lights) or
  * TL_ERR_MEMORY. */
 tl_status tl_prepare(const tl_gbuffer *gbuffer,
                      const tl_light_set *lights,
-                     uint32_t tile_size,
-                     uint32_t box_count,
-                     float light_cutoff,
+                     const tl_prepare_options *options,
                      const tl_notices *notices,
                      tl_prepared *prepared,
                      tl_error *err);

@@ -4,6 +4,7 @@
 #include "parallel.h"
 
 #include <math.h>
+#include <string.h>
 
 static const struct {
     const char *channel;
@@ -70,18 +71,27 @@ static void clear_pixel(scan *s, size_t at)
             s->planes[p][at] = planes[p].empty;
 }
 
-static unsigned long long repair_values(scan *s, size_t at, uint32_t row, uint32_t column)
+/* By its bits: -0 is not what absence means, though it mostly comes to the same. */
+static uint32_t says_more_than_absence(int plane, float value)
+{
+    return memcmp(&value, &planes[plane].empty, sizeof value) != 0;
+}
+
+/* *telling gathers the planes that are not neutral here. */
+static unsigned long long repair_values(
+    scan *s, size_t at, uint32_t row, uint32_t column, uint32_t *telling)
 {
     unsigned long long repaired = 0;
     for (int p = TL_ALBEDO_R; p < TL_PLANE_COUNT; p++) {
         if (!s->planes[p])
             continue;
         const float v = s->planes[p][at], most = tl_largest_value(p);
-        if (v >= 0.0f && v <= most)
-            continue;
-        s->planes[p][at] = v > most && isfinite(v) ? most : 0.0f;
-        tl_faults_note(s->faults, row, column, p);
-        repaired = 1;
+        if (!(v >= 0.0f && v <= most)) {
+            s->planes[p][at] = v > most && isfinite(v) ? most : 0.0f;
+            tl_faults_note(s->faults, row, column, p);
+            repaired = 1;
+        }
+        *telling |= says_more_than_absence(p, s->planes[p][at]) << p;
     }
     return repaired;
 }
@@ -90,6 +100,7 @@ static void repair_rows(void *context, size_t begin, size_t end)
 {
     scan *const s = context;
     tl_fault_counts counts = {0, 0, 0};
+    uint32_t telling = 0;
     float *nx = s->planes[TL_NORMAL_X], *ny = s->planes[TL_NORMAL_Y],
           *nz = s->planes[TL_NORMAL_Z];
 
@@ -112,10 +123,11 @@ static void repair_rows(void *context, size_t begin, size_t end)
                 counts.normal++;
                 nx[at] = ny[at] = nz[at] = 0.0f;
             }
-            counts.value += repair_values(s, at, row, column);
+            counts.value += repair_values(s, at, row, column, &telling);
         }
     }
     tl_faults_add(s->faults, counts);
+    atomic_fetch_or(&s->faults->telling, telling);
 }
 
 static void repair_float(tl_gbuffer *gbuffer, tl_faults *faults)
@@ -140,6 +152,17 @@ static tl_status refuse(const tl_gbuffer *gbuffer,
         is_packed ? attributes[plane] : planes[plane].channel);
 }
 
+/* A colour is neutral whole or not at all. */
+static uint32_t neutral_planes(uint32_t present, uint32_t telling)
+{
+    static const uint32_t colors[] = {TL_THREE(TL_SPECULAR_R), TL_GROUP_EMISSIVE};
+    uint32_t neutral = present & TL_MAY_BE_NEUTRAL & ~telling;
+    for (int i = 0; i < 2; i++)
+        if ((neutral & colors[i]) != colors[i])
+            neutral &= ~colors[i];
+    return neutral;
+}
+
 tl_status tl_gbuffer_repair(
     tl_gbuffer *gbuffer, const char *name, bool strict, tl_repairs *out, tl_error *err)
 {
@@ -148,10 +171,12 @@ tl_status tl_gbuffer_repair(
     atomic_init(&faults.normal, 0);
     atomic_init(&faults.value, 0);
     atomic_init(&faults.first, ~0ull);
+    atomic_init(&faults.telling, 0);
     if (gbuffer->layout == TL_LAYOUT_FLOAT)
         repair_float(gbuffer, &faults);
     else
         tl_repair_packed(gbuffer, &faults);
+    gbuffer->neutral = neutral_planes(gbuffer->present, atomic_load(&faults.telling));
     const unsigned long long first = atomic_load(&faults.first);
     if (strict && first != ~0ull)
         return refuse(gbuffer, name, first, err);

@@ -25,7 +25,14 @@ static inline float tl_largest_value(int plane)
 typedef struct tl_faults {
     atomic_ullong depth, normal, value;
     atomic_ullong first; /* row << 40 | column << 8 | plane of the first, for messages */
+    atomic_uint
+        telling; /* planes that say something in some pixel, bits 1 << plane: not neutral */
 } tl_faults;
+
+/* Planes whose absence means something, so that they may be neutral. An exponent is of no matter where
+ * the colour of its lobe is neutral, and says nothing alone. */
+#define TL_MAY_BE_NEUTRAL \
+    (TL_THREE(TL_SPECULAR_R) | TL_GROUP_METAL_ROUGH | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE)
 
 /* What some rows have: added to the others at their end. */
 typedef struct tl_fault_counts {

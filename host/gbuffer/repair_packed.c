@@ -31,6 +31,11 @@ typedef struct checked_value {
     enum tl_plane plane;
 } checked_value;
 
+/* Bits of a word that are these where a plane is neutral. */
+typedef struct telling_field {
+    uint32_t word, mask, neutral, planes;
+} telling_field;
+
 typedef struct job {
     tl_faults *faults;
     const tl_gbuffer *gbuffer;
@@ -39,6 +44,8 @@ typedef struct job {
     tl_packing packing; /* what is the same for every pixel */
     checked_value values[MOST_VALUES];
     int value_count;
+    telling_field fields[MOST_VALUES];
+    int field_count;
     atomic_ullong slack_x,
         slack_y; /* the bits of doubles, which are in order for values >= 0 */
 } job;
@@ -69,6 +76,53 @@ static void list_values(job *j)
                 j->values[j->value_count++] = (checked_value){c, values[i].first};
         }
     }
+}
+
+/* What bits of the channel read as the value that absence means, in float and in double: 0 does in every
+ * number and code; of a 1 it is a matter of rounding. Returns whether there are any. */
+static int neutral_field(tl_channel c, enum tl_plane plane, uint32_t *field)
+{
+    const uint32_t most = (uint32_t)((1ull << c.bits) - 1u);
+    *field = 0;
+    if (plane != TL_OCCLUSION)
+        return 1;
+    *field = c.number == TL_NUMBER_FLOAT ? 0x3f800000u : most;
+    return c.number == TL_NUMBER_FLOAT ||
+           (c.number == TL_NUMBER_UNORM && (float)most * (1.0f / (float)most) == 1.0f &&
+            (double)most * (1.0 / (double)most) == 1.0);
+}
+
+/* A plane without such bits is told of as if it said something. */
+static void list_fields(job *j)
+{
+    for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
+        const uint32_t plane = TL_HAS(values[i].first);
+        const uint32_t planes =
+            plane & (TL_HAS(TL_SPECULAR_R) | TL_HAS(TL_EMISSIVE_R)) ? 7u * plane : plane;
+        const tl_attribute *a =
+            (const void *)((const char *)j->planes.layout + values[i].attribute);
+        for (int k = 0; k < 3 && (j->gbuffer->present & TL_MAY_BE_NEUTRAL & plane); k++) {
+            const tl_channel c = a->channels[k];
+            uint32_t neutral;
+            if (!a->code || c.bits == 0)
+                continue;
+            if (neutral_field(c, values[i].first, &neutral))
+                j->fields[j->field_count++] =
+                    (telling_field){c.word, (uint32_t)((1ull << c.bits) - 1u) << c.shift,
+                                    neutral << c.shift, planes};
+            else
+                atomic_fetch_or(&j->faults->telling, planes);
+        }
+    }
+}
+
+static uint32_t telling_planes(const job *j, const tl_words *words)
+{
+    uint32_t planes = 0;
+    for (int i = 0; i < j->field_count; i++)
+        if ((words->of[j->fields[i].word] & j->fields[i].mask) != j->fields[i].neutral)
+            planes |= j->fields[i].planes;
+    return planes;
 }
 
 static readings read_position(
@@ -183,6 +237,7 @@ static void repair_pixel(const job *j,
                          uint32_t column,
                          uint32_t row,
                          tl_fault_counts *counts,
+                         uint32_t *telling,
                          slack *most)
 {
     const readings at = read_position(j, layout, words, column, row);
@@ -200,6 +255,7 @@ static void repair_pixel(const job *j,
         remove_normal(j, words);
     }
     counts->value += (unsigned)repair_values(j, words, column, row);
+    *telling |= telling_planes(j, words);
     if (TL_IS_POSITION(layout->depth.code))
         widen(most, j, at, column, row);
 }
@@ -217,15 +273,17 @@ static void repair_rows(job *j, const tl_layout *layout, size_t begin, size_t en
     tl_word_planes planes = j->planes;
     tl_fault_counts counts = {0, 0, 0};
     slack most = {0.0, 0.0};
+    uint32_t telling = 0;
     planes.layout = layout;
     for (uint32_t row = (uint32_t)begin; row < end; row++)
         for (uint32_t column = 0; column < j->gbuffer->camera.width; column++) {
             const size_t at = (size_t)row * j->gbuffer->pitch + column;
             tl_words words = tl_words_at(&planes, at);
-            repair_pixel(j, layout, &words, column, row, &counts, &most);
+            repair_pixel(j, layout, &words, column, row, &counts, &telling, &most);
             tl_words_put(&planes, at, words);
         }
     tl_faults_add(j->faults, counts);
+    atomic_fetch_or(&j->faults->telling, telling);
     raise_to(&j->slack_x, most.x);
     raise_to(&j->slack_y, most.y);
 }
@@ -267,6 +325,7 @@ void tl_repair_packed(tl_gbuffer *gbuffer, tl_faults *faults)
              .packing =
                  tl_packing_of(&gbuffer->camera, gbuffer->layout, gbuffer->present, &frame)};
     list_values(&j);
+    list_fields(&j);
     atomic_init(&j.slack_x, 0);
     atomic_init(&j.slack_y, 0);
     tl_parallel(gbuffer->camera.height, 4, rows_of[gbuffer->layout], &j);

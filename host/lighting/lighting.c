@@ -136,7 +136,9 @@ static tl_kernel_options kernel_options(const tl_lighting *lighting)
                                .specular = needs->specular,
                                .falloffs = needs->falloffs,
                                .model = needs->model,
-                               .one_color = needs->one_color};
+                               .one_color = needs->one_color,
+                               .ambient = needs->ambient,
+                               .idle = needs->idle};
 }
 
 static tl_status run_on_device(tl_lighting *lighting,
@@ -245,8 +247,12 @@ tl_status tl_lighting_run(tl_lighting *lighting,
             image->width, image->height, gbuffer->camera.width, gbuffer->camera.height));
     TRY(unpack_for_user(lighting, &gbuffer, &before, timings, err));
     double clock = tl_seconds();
-    TRY(tl_prepare(gbuffer, lights, options->tile_size, box_counts[options->cull],
-                   options->light_cutoff, notices, &lighting->prepared, err));
+    TRY(tl_prepare(gbuffer, lights,
+                   &(tl_prepare_options){.tile_size = options->tile_size,
+                                         .box_count = box_counts[options->cull],
+                                         .light_cutoff = options->light_cutoff,
+                                         .effects = options->effects},
+                   notices, &lighting->prepared, err));
     clock = tl_timings_end(timings, "prepare", clock);
     frame_counts = counts_of(&lighting->prepared);
     if (precisions[options->precision].on_host) {

@@ -34,8 +34,9 @@ tl_status tl_check_create(const tl_gbuffer *gbuffer,
     made->cosine = cosine;
     for (int p = 0; p < TL_PLANE_COUNT; p++)
         made->planes[p] = tl_gbuffer_plane(made->gbuffer, (enum tl_plane)p);
-    TRY(tl_prepare(made->gbuffer, lights, ANY_TILE, 0, light_cutoff, NULL, &made->prepared,
-                   err));
+    TRY(tl_prepare(made->gbuffer, lights,
+                   &(tl_prepare_options){.tile_size = ANY_TILE, .light_cutoff = light_cutoff},
+                   NULL, &made->prepared, err));
     *out = made;
     made = NULL;
 done:

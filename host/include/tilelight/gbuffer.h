@@ -45,6 +45,10 @@ typedef struct tl_gbuffer {
      * without rectangles. Whoever writes positions afterwards makes it infinite again, or repairs
      * anew; a slack that is too small loses lights. */
     float slack_x, slack_y;
+    /* Planes that say in every pixel what their absence would: bit p for plane p, colours whole. 0 until
+     * tl_gbuffer_repair has found them; lighting does not read them. Whoever writes planes afterwards
+     * makes it 0 again, or repairs anew. */
+    uint32_t neutral;
     unsigned char
         *planes; /* [tl_gbuffer_pixel_size][rows * pitch] bytes, plane after plane, aligned
                             * to 4096; padding is sky */
@@ -99,7 +103,7 @@ typedef struct tl_repairs {
 } tl_repairs;
 
 /* Makes every pixel safe to light, and sky pixels hold the values of `TL_PLANES` for nothing hit; of any
- * layout, by what kernels read in float and in double. Finds the slack of stored positions. On all
+ * layout, by what kernels read in float and in double. Finds the slack of stored positions, and which planes are neutral. On all
  * threads. *out may be NULL. With `strict`, fails with TL_ERR_FORMAT at the first pixel that would need
  * it, naming pixel and channel (of a packed one the attribute), and `name` (a file) in front. */
 tl_status tl_gbuffer_repair(

@@ -2,6 +2,7 @@
 #ifndef TL_LIGHTING_H
 #define TL_LIGHTING_H
 
+#include "effects.h"
 #include "gbuffer.h"
 #include "image.h"
 #include "lights.h"
@@ -117,7 +118,8 @@ typedef struct tl_lighting_options {
     tl_path path;
     uint32_t tile_size; /* px: 8, 16, 32 or 64 */
     uint32_t
-        vector_width;   /* lanes: 1, 4, 8 or 16; 0: what suits the device; the gpu path has 1 */
+        vector_width; /* lanes: 1, 4, 8 or 16; 0: what suits the device; the gpu path has 1 */
+    tl_effects_mode effects; /* the picture is the same bit for bit */
     float light_cutoff; /* a light without a range ends where it gives this (lx); 0: never */
     uint64_t
         memory_limit; /* bytes of device memory beside shared ones; 0: what the device has */

@@ -1,0 +1,143 @@
+#include "scene_causes.h"
+
+#include "falloff.h"
+
+static int is_lit_by(const float color[3])
+{
+    return color[0] > 0.0f || color[1] > 0.0f || color[2] > 0.0f;
+}
+
+static uint32_t causes_of_planes(uint32_t planes)
+{
+    uint32_t causes = 0;
+    if (planes & TL_HAS(TL_SPECULAR_R))
+        causes |= TL_BY(TL_CAUSE_GLOSS);
+    if (planes & TL_GROUP_OCCLUSION)
+        causes |= TL_BY(TL_CAUSE_OCCLUSION);
+    if (planes & TL_GROUP_EMISSIVE)
+        causes |= TL_BY(TL_CAUSE_EMISSION);
+    return causes;
+}
+
+/* Metal-rough planes say something where they are neutral too: a smooth dielectric. */
+static uint32_t causes_of_material(uint32_t present)
+{
+    return present & TL_GROUP_METAL_ROUGH ? TL_BY(TL_CAUSE_GLOSS) | TL_BY(TL_CAUSE_METAL_ROUGH)
+                                          : 0;
+}
+
+/* One-colour is no effect to assume: it is another order of rounding. */
+static const uint32_t assumable = TL_BY(TL_CAUSE_DIRECTIONAL) | TL_BY(TL_CAUSE_INVERSE_SQUARE) |
+                                  TL_BY(TL_CAUSE_LINEAR) | TL_BY(TL_CAUSE_LINEAR_FROM) |
+                                  TL_BY(TL_CAUSE_HIGHLIGHT) | TL_BY(TL_CAUSE_AMBIENT);
+
+tl_explanation tl_causes_of_frame(const tl_gbuffer *gbuffer,
+                                  const tl_light_set *lights,
+                                  tl_effects_mode mode)
+{
+    tl_explanation e = {.present = gbuffer->present, .neutral = gbuffer->neutral};
+    e.causes = causes_of_planes(e.present & ~e.neutral) | causes_of_material(e.present);
+    if (mode == TL_EFFECTS_ALL)
+        e.assumed = assumable | causes_of_planes(e.present);
+    if (is_lit_by(lights->ambient))
+        e.causes |= TL_BY(TL_CAUSE_AMBIENT);
+    if (is_lit_by(lights->sky))
+        e.causes |= TL_BY(TL_CAUSE_SKY);
+    if (lights->model != TL_MODEL_PHONG)
+        e.causes |= TL_BY(TL_CAUSE_MODEL);
+    if (gbuffer->camera.projection == TL_ORTHOGRAPHIC)
+        e.causes |= TL_BY(TL_CAUSE_PARALLEL);
+    return e;
+}
+
+static void note(tl_some_lights *some, uint32_t index)
+{
+    if (some->count++ == 0)
+        some->first = index;
+}
+
+/* Adding 0 to a sum that is not negative leaves its bits, and no cause of a sum is ever negative. */
+int tl_light_is_idle(tl_explanation *explanation,
+                     const tl_view_light *light,
+                     uint32_t index,
+                     int is_global)
+{
+    const int has_gloss = (explanation->causes & TL_BY(TL_CAUSE_GLOSS)) != 0;
+    tl_idle_light why;
+    if (!is_lit_by(light->diffuse) && !is_lit_by(light->specular))
+        why = TL_IDLE_BLACK;
+    else if (!is_global && light->range2 == 0.0f)
+        why = TL_IDLE_SHORT;
+    else if (!is_lit_by(light->diffuse) && !has_gloss)
+        why = TL_IDLE_NO_GLOSS;
+    else
+        return 0;
+    note(&explanation->idle_lights[why], index);
+    return 1;
+}
+
+/* By rows of falloff.h. */
+static const tl_cause falloff_causes[TL_FADE_COUNT] = {
+    [TL_FADE_LINEAR] = TL_CAUSE_LINEAR,
+    [TL_FADE_INVERSE_SQUARE] = TL_CAUSE_INVERSE_SQUARE,
+    [TL_FADE_NONE] = TL_CAUSE_DIRECTIONAL,
+    [TL_FADE_LINEAR_FROM] = TL_CAUSE_LINEAR_FROM,
+};
+static const tl_effect falloff_effects[TL_FADE_COUNT] = {
+    [TL_FADE_LINEAR] = TL_EFFECT_LINEAR,
+    [TL_FADE_INVERSE_SQUARE] = TL_EFFECT_INVERSE_SQUARE,
+    [TL_FADE_NONE] = TL_EFFECT_DIRECTIONAL,
+    [TL_FADE_LINEAR_FROM] = TL_EFFECT_LINEAR_FROM,
+};
+
+static void found(tl_explanation *explanation, tl_cause cause, uint32_t index)
+{
+    explanation->causes |= TL_BY(cause);
+    note(&explanation->lights[cause], index);
+}
+
+void tl_causes_of_light(tl_explanation *explanation,
+                        const tl_view_light *light,
+                        uint32_t index,
+                        int is_global)
+{
+    found(explanation, is_global ? TL_CAUSE_GLOBAL : TL_CAUSE_RANGED, index);
+    found(explanation, falloff_causes[falloff_row(light->falloff)], index);
+    if (is_lit_by(light->specular))
+        found(explanation, TL_CAUSE_HIGHLIGHT, index);
+}
+
+static int is_on(const tl_explanation *explanation, tl_effect effect)
+{
+    return (explanation->effects >> effect & 1u) != 0;
+}
+
+/* A plane is read by the effects that are on, unless it says nothing. */
+static uint32_t idle_planes(const tl_explanation *e)
+{
+    uint32_t read = TL_GROUP_BASE;
+    for (int i = 0; i < TL_EFFECT_COUNT; i++)
+        if (is_on(e, (tl_effect)i))
+            read |= tl_effect_rows[i].planes;
+    return e->present & ~(e->assumed ? read : read & ~e->neutral);
+}
+
+tl_needs tl_needs_of_causes(tl_explanation *e,
+                            const tl_gbuffer *gbuffer,
+                            const tl_light_set *lights)
+{
+    e->effects = tl_effects_of(e->causes | e->assumed);
+    e->idle = idle_planes(e);
+    tl_needs needs = {.present = gbuffer->present,
+                      .layout = gbuffer->layout,
+                      .model = lights->model,
+                      .orthographic = (tl_u32)is_on(e, TL_EFFECT_PARALLEL),
+                      .specular = (tl_u32)is_on(e, TL_EFFECT_SPECULAR),
+                      .one_color = (tl_u32)is_on(e, TL_EFFECT_ONE_COLOR),
+                      .ambient = (tl_u32)is_on(e, TL_EFFECT_AMBIENT),
+                      .idle = e->idle};
+    for (int row = 0; row < TL_FADE_COUNT; row++)
+        if (is_on(e, falloff_effects[row]))
+            needs.falloffs |= 1u << row;
+    return needs;
+}

@@ -1,0 +1,35 @@
+/* What of a frame calls for effects: causes (tilelight/effects.h) found, and turned into tl_needs. */
+#ifndef TL_SCENE_CAUSES_H
+#define TL_SCENE_CAUSES_H
+
+#include "frame.h"
+#include "needs.h"
+
+#include "tilelight/effects.h"
+#include "tilelight/gbuffer.h"
+#include "tilelight/lights.h"
+
+/* Causes of the planes and of the frame; lights are still to come. */
+tl_explanation tl_causes_of_frame(const tl_gbuffer *gbuffer,
+                                  const tl_light_set *lights,
+                                  tl_effects_mode mode);
+
+/* Whether light `index` of the set, as kernels would take it, adds exactly nothing; notes why. is_global:
+ * it reaches everything. */
+int tl_light_is_idle(tl_explanation *explanation,
+                     const tl_view_light *light,
+                     uint32_t index,
+                     int is_global);
+
+/* Notes what a light that is lit calls for. */
+void tl_causes_of_light(tl_explanation *explanation,
+                        const tl_view_light *light,
+                        uint32_t index,
+                        int is_global);
+
+/* What kernels are built for: the switches of effects, by the table, once all causes are there. Decides explanation->effects and ->idle. */
+tl_needs tl_needs_of_causes(tl_explanation *explanation,
+                            const tl_gbuffer *gbuffer,
+                            const tl_light_set *lights);
+
+#endif

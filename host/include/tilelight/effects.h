@@ -1,0 +1,165 @@
+/* The effects that lighting computes, each with what calls for it: one table, which decides for every
+ * frame (host/frame/effects.c) and is what `tilelight effects` prints.
+ *
+ * An effect is on where all its causes are there, and off effects are compiled out of the kernels,
+ * their planes not read. Only what adds exactly nothing may be left out, so the picture is the same bit
+ * for bit whether or not it is (--effects). */
+#ifndef TL_EFFECTS_H
+#define TL_EFFECTS_H
+
+#include "planes.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Whose a cause is: lights of the set, planes of the G-buffer, or a setting of the frame. */
+typedef enum tl_cause_kind {
+    TL_CAUSE_OF_LIGHTS,
+    TL_CAUSE_OF_PLANES,
+    TL_CAUSE_OF_FRAME
+} tl_cause_kind;
+
+/* X(name, kind, what it is, after "no" where it is lacking) */
+#define TL_CAUSES(X)                                                                         \
+    X(TL_CAUSE_GLOBAL, TL_CAUSE_OF_LIGHTS, "light that reaches everything")                  \
+    X(TL_CAUSE_RANGED, TL_CAUSE_OF_LIGHTS, "light with a range")                             \
+    X(TL_CAUSE_DIRECTIONAL, TL_CAUSE_OF_LIGHTS, "directional light")                         \
+    X(TL_CAUSE_INVERSE_SQUARE, TL_CAUSE_OF_LIGHTS, "light with this falloff")                \
+    X(TL_CAUSE_LINEAR, TL_CAUSE_OF_LIGHTS, "light with this falloff")                        \
+    X(TL_CAUSE_LINEAR_FROM, TL_CAUSE_OF_LIGHTS, "light with this falloff")                   \
+    X(TL_CAUSE_HIGHLIGHT, TL_CAUSE_OF_LIGHTS, "light with a specular lobe")                  \
+    X(TL_CAUSE_GLOSS, TL_CAUSE_OF_PLANES, "specular or metal-rough material")                \
+    X(TL_CAUSE_METAL_ROUGH, TL_CAUSE_OF_PLANES, "metal-rough material")                      \
+    X(TL_CAUSE_OCCLUSION, TL_CAUSE_OF_PLANES, "occlusion")                                   \
+    X(TL_CAUSE_EMISSION, TL_CAUSE_OF_PLANES, "emission")                                     \
+    X(TL_CAUSE_AMBIENT, TL_CAUSE_OF_FRAME, "ambient light")                                  \
+    X(TL_CAUSE_SKY, TL_CAUSE_OF_FRAME, "colour of the sky")                                  \
+    X(TL_CAUSE_MODEL, TL_CAUSE_OF_FRAME, "shading model other than phong")                   \
+    X(TL_CAUSE_ONE_COLOR, TL_CAUSE_OF_FRAME,                                                 \
+      "model that tints the lobe, with grey specular colours and lights of one colour each") \
+    X(TL_CAUSE_PARALLEL, TL_CAUSE_OF_FRAME, "orthographic camera")
+
+typedef enum tl_cause {
+#define TL_CAUSE_NAME(name, kind, what) name,
+    TL_CAUSES(TL_CAUSE_NAME)
+#undef TL_CAUSE_NAME
+        TL_CAUSE_COUNT
+} tl_cause;
+
+#define TL_BY(cause) (1u << (cause))
+
+/* X(name, word, what it computes, causes it takes: all of them, planes it reads beside TL_GROUP_BASE,
+ *   what switches it: a macro of kernels/options.h, or a number of the frame) */
+#define TL_EFFECTS(X)                                                                          \
+    X(TL_EFFECT_GLOBAL, "global-lights", "lights that reach everything, for every pixel",      \
+      TL_BY(TL_CAUSE_GLOBAL), 0, "frame.global_count")                                         \
+    X(TL_EFFECT_RANGED, "ranged-lights", "lights that end, listed for the tiles they reach",   \
+      TL_BY(TL_CAUSE_RANGED), 0, "frame.light_count")                                          \
+    X(TL_EFFECT_DIRECTIONAL, "directional", "light from one direction, without falloff",       \
+      TL_BY(TL_CAUSE_DIRECTIONAL), 0, "TL_FALLOFFS_USED")                                      \
+    X(TL_EFFECT_INVERSE_SQUARE, "inverse-square", "falloff with the square of the distance",   \
+      TL_BY(TL_CAUSE_INVERSE_SQUARE), 0, "TL_FALLOFFS_USED")                                   \
+    X(TL_EFFECT_LINEAR, "linear", "falloff from the light to its range",                       \
+      TL_BY(TL_CAUSE_LINEAR), 0, "TL_FALLOFFS_USED")                                           \
+    X(TL_EFFECT_LINEAR_FROM, "linear-from", "falloff from a distance on to the range",         \
+      TL_BY(TL_CAUSE_LINEAR_FROM), 0, "TL_FALLOFFS_USED")                                      \
+    X(TL_EFFECT_SPECULAR, "specular", "highlights",                                            \
+      TL_BY(TL_CAUSE_HIGHLIGHT) | TL_BY(TL_CAUSE_GLOSS),                                       \
+      TL_GROUP_PHONG | TL_GROUP_METAL_ROUGH, "TL_SPECULAR")                                    \
+    X(TL_EFFECT_METAL_ROUGH, "metal-rough", "Phong material from metallic and roughness",      \
+      TL_BY(TL_CAUSE_METAL_ROUGH), TL_HAS(TL_METALLIC), "TL_PRESENT")                          \
+    X(TL_EFFECT_MODEL, "model", "a lobe with the factors of another shading model",            \
+      TL_BY(TL_CAUSE_MODEL), 0, "TL_MODEL")                                                    \
+    X(TL_EFFECT_ONE_COLOR, "one-color", "both lobes in one sum", TL_BY(TL_CAUSE_ONE_COLOR), 0, \
+      "TL_ONE_COLOR")                                                                          \
+    X(TL_EFFECT_AMBIENT, "ambient", "ambient light on the albedo", TL_BY(TL_CAUSE_AMBIENT), 0, \
+      "TL_AMBIENT")                                                                            \
+    X(TL_EFFECT_OCCLUSION, "occlusion", "the share of ambient light that arrives",             \
+      TL_BY(TL_CAUSE_AMBIENT) | TL_BY(TL_CAUSE_OCCLUSION), TL_GROUP_OCCLUSION, "TL_IDLE")      \
+    X(TL_EFFECT_EMISSION, "emission", "what surfaces send out by themselves",                  \
+      TL_BY(TL_CAUSE_EMISSION), TL_GROUP_EMISSIVE, "TL_IDLE")                                  \
+    X(TL_EFFECT_SKY, "sky", "a colour where nothing was hit", TL_BY(TL_CAUSE_SKY), 0,          \
+      "frame.sky")                                                                             \
+    X(TL_EFFECT_PARALLEL, "orthographic", "parallel rays", TL_BY(TL_CAUSE_PARALLEL), 0,        \
+      "TL_ORTHOGRAPHIC")
+
+typedef enum tl_effect {
+#define TL_EFFECT_NAME(name, word, computes, causes, planes, option) name,
+    TL_EFFECTS(TL_EFFECT_NAME)
+#undef TL_EFFECT_NAME
+        TL_EFFECT_COUNT
+} tl_effect;
+
+typedef struct tl_effect_row {
+    const char *word, *computes;
+    uint32_t causes; /* bits 1 << tl_cause */
+    uint32_t planes; /* bits 1 << plane */
+    const char *option;
+} tl_effect_row;
+
+typedef struct tl_cause_row {
+    tl_cause_kind kind;
+    const char *what;
+} tl_cause_row;
+
+extern const tl_effect_row tl_effect_rows[TL_EFFECT_COUNT];
+extern const tl_cause_row tl_cause_rows[TL_CAUSE_COUNT];
+
+/* The effects whose causes are all among `causes`: bits 1 << tl_effect. */
+uint32_t tl_effects_of(uint32_t causes);
+
+/* X(name, word on the command line, meaning) */
+#define TL_EFFECTS_MODES(X)                                                              \
+    X(TL_EFFECTS_AUTO, "auto", "what the frame calls for")                               \
+    X(TL_EFFECTS_ALL, "all",                                                             \
+      "also what adds nothing: every falloff, ambient light, highlights, occlusion and " \
+      "emission as far as the frame has planes for them, lights that give nothing")
+
+typedef enum tl_effects_mode {
+#define TL_EFFECTS_MODE_NAME(name, word, meaning) name,
+    TL_EFFECTS_MODES(TL_EFFECTS_MODE_NAME)
+#undef TL_EFFECTS_MODE_NAME
+        TL_EFFECTS_MODE_COUNT
+} tl_effects_mode;
+
+/* Why a light adds exactly nothing, whatever it shines on.
+ * X(name, word, "it ...") */
+#define TL_IDLE_LIGHTS(X)                                                   \
+    X(TL_IDLE_BLACK, "black", "has no colour or no intensity")              \
+    X(TL_IDLE_SHORT, "too-short", "has a range whose square is 0 in float") \
+    X(TL_IDLE_NO_GLOSS, "no-gloss", "has a specular lobe alone, and nothing has highlights")
+
+typedef enum tl_idle_light {
+#define TL_IDLE_LIGHT_NAME(name, word, why) name,
+    TL_IDLE_LIGHTS(TL_IDLE_LIGHT_NAME)
+#undef TL_IDLE_LIGHT_NAME
+        TL_IDLE_LIGHT_COUNT
+} tl_idle_light;
+
+/* Some lights of a set. */
+typedef struct tl_some_lights {
+    uint32_t count, first; /* first: its index in the set, of no meaning where there are none */
+} tl_some_lights;
+
+/* What was decided for a frame, and by what. */
+typedef struct tl_explanation {
+    uint32_t effects; /* that are on, bits 1 << tl_effect */
+    uint32_t causes;  /* that the frame has, bits 1 << tl_cause */
+    uint32_t assumed; /* causes that TL_EFFECTS_ALL takes for there beside them */
+    uint32_t present; /* planes of the frame, bits 1 << plane */
+    uint32_t neutral; /* those that say nothing: tl_gbuffer.neutral */
+    uint32_t idle;    /* those that are not read */
+    tl_some_lights lights[TL_CAUSE_COUNT]; /* of causes of lights */
+    tl_some_lights
+        idle_lights[TL_IDLE_LIGHT_COUNT]; /* that add nothing; left out unless all are lit */
+} tl_explanation;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,260 @@
+/* Does a scene switch on the effects that it calls for, by the table, and no others?
+ *
+ * What is expected is written out here, scene by scene, beside the table: the kernel's switches too. */
+#include "testing.h"
+
+#include "falloff.h"
+#include "prepared.h"
+
+#include <string.h>
+
+#define ON(effect) (1u << TL_EFFECT_##effect)
+#define FADE(row) (1u << TL_FADE_##row)
+#define PHONG (TL_GROUP_BASE | TL_GROUP_PHONG)
+#define METAL (TL_GROUP_BASE | TL_GROUP_METAL_ROUGH)
+#define OCCLUSION (TL_GROUP_BASE | TL_GROUP_OCCLUSION)
+#define EMISSION (TL_GROUP_BASE | TL_GROUP_EMISSIVE)
+#define ANY_LIGHT .intensity = 1.0f, .diffuse = 1.0f
+
+typedef struct lamp {
+    int is_directional;
+    tl_falloff falloff;
+    float range, begin; /* range 0: none */
+    float intensity, diffuse, specular;
+} lamp;
+
+typedef struct scene {
+    const char *name;
+    uint32_t present, neutral;
+    lamp lamps[2]; /* intensity 0 and no diffuse: no lamp */
+    float ambient, sky;
+    enum tl_shading_model model;
+    tl_projection projection;
+    enum tl_layout_name layout;
+    tl_effects_mode mode;
+    uint32_t effects; /* expected: all of them */
+    struct {
+        tl_u32 falloffs, specular, ambient, orthographic, one_color, idle;
+    } needs;                                         /* expected */
+    uint32_t light_count, idle[TL_IDLE_LIGHT_COUNT]; /* expected */
+} scene;
+
+/* One for each effect, in the order of the table: with what it cannot be without, and nothing more. */
+static const scene minimal[TL_EFFECT_COUNT] = {
+    [TL_EFFECT_GLOBAL] = {"a light without a range", TL_GROUP_BASE, .lamps = {{ANY_LIGHT}},
+                          .effects = ON(GLOBAL) | ON(INVERSE_SQUARE),
+                          .needs = {.falloffs = FADE(INVERSE_SQUARE)}, .light_count = 1},
+    [TL_EFFECT_RANGED] = {"a light with a range", TL_GROUP_BASE,
+                          .lamps = {{ANY_LIGHT, .range = 2.0f}},
+                          .effects = ON(RANGED) | ON(INVERSE_SQUARE),
+                          .needs = {.falloffs = FADE(INVERSE_SQUARE)}, .light_count = 1},
+    [TL_EFFECT_DIRECTIONAL] = {"a directional light", TL_GROUP_BASE,
+                               .lamps = {{ANY_LIGHT, .is_directional = 1}},
+                               .effects = ON(GLOBAL) | ON(DIRECTIONAL),
+                               .needs = {.falloffs = FADE(NONE)}, .light_count = 1},
+    [TL_EFFECT_INVERSE_SQUARE] = {"two lights, inverse square", TL_GROUP_BASE,
+                                  .lamps = {{ANY_LIGHT, .range = 2.0f},
+                                            {ANY_LIGHT, .range = 1.0f}},
+                                  .effects = ON(RANGED) | ON(INVERSE_SQUARE),
+                                  .needs = {.falloffs = FADE(INVERSE_SQUARE)},
+                                  .light_count = 2},
+    [TL_EFFECT_LINEAR] = {"a linear light", TL_GROUP_BASE,
+                          .lamps = {{ANY_LIGHT, .range = 2.0f, .falloff = TL_FALLOFF_LINEAR}},
+                          .effects = ON(RANGED) | ON(LINEAR),
+                          .needs = {.falloffs = FADE(LINEAR)}, .light_count = 1},
+    [TL_EFFECT_LINEAR_FROM] = {"a linear light with begin", TL_GROUP_BASE,
+                               .lamps = {{ANY_LIGHT, .range = 2.0f, .begin = 1.0f,
+                                          .falloff = TL_FALLOFF_LINEAR}},
+                               .effects = ON(RANGED) | ON(LINEAR_FROM),
+                               .needs = {.falloffs = FADE(LINEAR_FROM)}, .light_count = 1},
+    [TL_EFFECT_SPECULAR] = {"a light with a lobe on a Phong material", PHONG,
+                            .lamps = {{ANY_LIGHT, .is_directional = 1, .specular = 1.0f}},
+                            .effects = ON(GLOBAL) | ON(DIRECTIONAL) | ON(SPECULAR),
+                            .needs = {.falloffs = FADE(NONE), .specular = 1}, .light_count = 1},
+    [TL_EFFECT_METAL_ROUGH] = {"metal-rough planes", METAL, .effects = ON(METAL_ROUGH),
+                               .needs = {.idle = TL_HAS(TL_ROUGHNESS)}},
+    [TL_EFFECT_MODEL] = {"another model", TL_GROUP_BASE,
+                         .model = TL_MODEL_BLINN_PHONG_NORMALIZED, .effects = ON(MODEL)},
+    [TL_EFFECT_ONE_COLOR] = {"a white light, grey specular colours and a model that tints",
+                             PHONG, .layout = TL_LAYOUT_ISPC,
+                             .model = TL_MODEL_BLINN_PHONG_NORMALIZED,
+                             .lamps = {{ANY_LIGHT, .is_directional = 1, .specular = 1.0f}},
+                             .effects = ON(GLOBAL) | ON(DIRECTIONAL) | ON(SPECULAR) |
+                                        ON(MODEL) | ON(ONE_COLOR),
+                             .needs = {.falloffs = FADE(NONE), .specular = 1, .one_color = 1},
+                             .light_count = 1},
+    [TL_EFFECT_AMBIENT] = {"ambient light", TL_GROUP_BASE, .ambient = 0.1f,
+                           .effects = ON(AMBIENT), .needs = {.ambient = 1}},
+    [TL_EFFECT_OCCLUSION] = {"occlusion and ambient light", OCCLUSION, .ambient = 0.1f,
+                             .effects = ON(AMBIENT) | ON(OCCLUSION), .needs = {.ambient = 1}},
+    [TL_EFFECT_EMISSION] = {"emission", EMISSION, .effects = ON(EMISSION)},
+    [TL_EFFECT_SKY] = {"a sky", TL_GROUP_BASE, .sky = 0.5f, .effects = ON(SKY)},
+    [TL_EFFECT_PARALLEL] = {"parallel rays", TL_GROUP_BASE, .projection = TL_ORTHOGRAPHIC,
+                            .effects = ON(PARALLEL), .needs = {.orthographic = 1}},
+};
+
+/* What might be taken for a cause, and is none. */
+static const scene others[] = {
+    {"nothing at all", TL_GROUP_BASE, .effects = 0},
+    {"occlusion without ambient light", OCCLUSION, .needs = {.idle = TL_GROUP_OCCLUSION}},
+    {"neutral occlusion", OCCLUSION, .neutral = TL_GROUP_OCCLUSION, .ambient = 0.1f,
+     .effects = ON(AMBIENT), .needs = {.ambient = 1, .idle = TL_GROUP_OCCLUSION}},
+    {"neutral emission", EMISSION, .neutral = TL_GROUP_EMISSIVE,
+     .needs = {.idle = TL_GROUP_EMISSIVE}},
+    {"a lobe and no material for it", TL_GROUP_BASE,
+     .lamps = {{ANY_LIGHT, .is_directional = 1, .specular = 1.0f}},
+     .effects = ON(GLOBAL) | ON(DIRECTIONAL), .needs = {.falloffs = FADE(NONE)},
+     .light_count = 1},
+    {"a material and no lobe for it", PHONG, .lamps = {{ANY_LIGHT, .is_directional = 1}},
+     .effects = ON(GLOBAL) | ON(DIRECTIONAL),
+     .needs = {.falloffs = FADE(NONE), .idle = TL_GROUP_PHONG}, .light_count = 1},
+    {"a lobe on black specular colours", PHONG, .neutral = TL_THREE(TL_SPECULAR_R),
+     .lamps = {{ANY_LIGHT, .is_directional = 1, .specular = 1.0f}},
+     .effects = ON(GLOBAL) | ON(DIRECTIONAL),
+     .needs = {.falloffs = FADE(NONE), .idle = TL_GROUP_PHONG}, .light_count = 1},
+    {"a lobe on a dielectric", METAL, .neutral = TL_HAS(TL_METALLIC),
+     .lamps = {{ANY_LIGHT, .is_directional = 1, .specular = 1.0f}},
+     .effects = ON(GLOBAL) | ON(DIRECTIONAL) | ON(SPECULAR) | ON(METAL_ROUGH),
+     .needs = {.falloffs = FADE(NONE), .specular = 1, .idle = TL_HAS(TL_METALLIC)},
+     .light_count = 1},
+    {"a light of no intensity beside one that shines", PHONG,
+     .lamps = {{.range = 1.0f, .falloff = TL_FALLOFF_LINEAR, .diffuse = 1.0f, .specular = 1.0f},
+               {ANY_LIGHT, .is_directional = 1}},
+     .effects = ON(GLOBAL) | ON(DIRECTIONAL),
+     .needs = {.falloffs = FADE(NONE), .idle = TL_GROUP_PHONG}, .light_count = 1,
+     .idle = {[TL_IDLE_BLACK] = 1}},
+    {"a range that no distance is below", TL_GROUP_BASE,
+     .lamps = {{ANY_LIGHT, .range = 1e-30f}}, .idle = {[TL_IDLE_SHORT] = 1}},
+    {"a lobe alone, and nothing to show it", TL_GROUP_BASE,
+     .lamps = {{.intensity = 1.0f, .specular = 1.0f, .range = 1.0f}},
+     .idle = {[TL_IDLE_NO_GLOSS] = 1}},
+    {"all effects of a bare frame", TL_GROUP_BASE, .mode = TL_EFFECTS_ALL,
+     .lamps = {{.diffuse = 1.0f, .range = 1.0f}},
+     .effects = ON(RANGED) | ON(DIRECTIONAL) | ON(INVERSE_SQUARE) | ON(LINEAR) |
+                ON(LINEAR_FROM) | ON(AMBIENT),
+     .needs = {.falloffs = (1u << TL_FADE_COUNT) - 1u, .ambient = 1}, .light_count = 1,
+     .idle = {[TL_IDLE_BLACK] = 1}},
+    {"all effects of a frame with every plane", PHONG | OCCLUSION | EMISSION,
+     .neutral = TL_THREE(TL_SPECULAR_R) | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE,
+     .mode = TL_EFFECTS_ALL,
+     .effects = ON(DIRECTIONAL) | ON(INVERSE_SQUARE) | ON(LINEAR) | ON(LINEAR_FROM) |
+                ON(SPECULAR) | ON(AMBIENT) | ON(OCCLUSION) | ON(EMISSION),
+     .needs = {.falloffs = (1u << TL_FADE_COUNT) - 1u, .specular = 1, .ambient = 1}},
+};
+
+static void add_lamp(tl_light_set *set, const lamp *from)
+{
+    tl_light light = tl_light_default();
+    tl_error err;
+    if (from->intensity == 0.0f && from->diffuse == 0.0f)
+        return;
+    light.type = from->is_directional ? TL_LIGHT_DIRECTIONAL : TL_LIGHT_POINT;
+    light.direction[2] = -1.0f;
+    light.falloff = from->falloff;
+    light.range = from->range > 0.0f ? from->range : INFINITY;
+    light.begin = from->begin;
+    light.intensity = from->intensity;
+    light.diffuse = from->diffuse;
+    light.specular = from->specular;
+    ASSERT_OK(tl_light_set_add(set, &light, &err), err);
+}
+
+static tl_prepared prepared_of(const scene *s)
+{
+    static const double eye[3] = {0, 0, 0}, target[3] = {0, 0, -1}, up[3] = {0, 1, 0};
+    tl_camera camera = tl_camera_look_at(eye, target, up, 1.0, 8, 8, 0.1, 100.0);
+    tl_light_set lights = {.model = s->model};
+    tl_prepared prepared = {0};
+    tl_gbuffer *g = NULL;
+    tl_error err;
+    camera.projection = s->projection;
+    ASSERT_OK(tl_gbuffer_create_packed(&camera, s->layout, s->present, &g, &err), err);
+    g->neutral = s->neutral;
+    lights.ambient[1] = s->ambient;
+    lights.sky[2] = s->sky;
+    for (size_t i = 0; i < COUNT_OF(s->lamps); i++)
+        add_lamp(&lights, &s->lamps[i]);
+    ASSERT_OK(tl_prepare(g, &lights, &(tl_prepare_options){.tile_size = 16, .effects = s->mode},
+                         NULL, &prepared, &err),
+              err);
+    tl_light_set_clear(&lights);
+    tl_gbuffer_destroy(g);
+    return prepared;
+}
+
+static void expect_effects(const scene *s, uint32_t got)
+{
+    for (int i = 0; i < TL_EFFECT_COUNT; i++)
+        if ((got >> i & 1) != (s->effects >> i & 1))
+            fail_msg("%s: %s is %s", s->name, tl_effect_rows[i].word,
+                     got >> i & 1 ? "on" : "off");
+}
+
+static void expect(const scene *s)
+{
+    tl_prepared p = prepared_of(s);
+    const tl_needs needs = {.present = s->present,
+                            .layout = s->layout,
+                            .model = s->model,
+                            .falloffs = s->needs.falloffs,
+                            .specular = s->needs.specular,
+                            .ambient = s->needs.ambient,
+                            .orthographic = s->needs.orthographic,
+                            .one_color = s->needs.one_color,
+                            .idle = s->needs.idle};
+    expect_effects(s, p.explanation.effects);
+    if (memcmp(&p.needs, &needs, sizeof needs) != 0)
+        fail_msg("%s: kernels are built for something else: falloffs %x, specular %u, ambient "
+                 "%u, orthographic %u, one_color %u, idle %x",
+                 s->name, p.needs.falloffs, p.needs.specular, p.needs.ambient,
+                 p.needs.orthographic, p.needs.one_color, p.needs.idle);
+    if (p.frame.light_count != s->light_count)
+        fail_msg("%s: %u lights", s->name, p.frame.light_count);
+    for (int i = 0; i < TL_IDLE_LIGHT_COUNT; i++)
+        if (p.explanation.idle_lights[i].count != s->idle[i])
+            fail_msg("%s: %u lights are idle by reason %d", s->name,
+                     p.explanation.idle_lights[i].count, i);
+    tl_prepared_clear(&p);
+}
+
+static void each_effect_has_a_scene_of_its_own(void **state)
+{
+    (void)state;
+    for (int i = 0; i < TL_EFFECT_COUNT; i++) {
+        if (!(minimal[i].effects >> i & 1))
+            fail_msg("%s has no scene", tl_effect_rows[i].word);
+        expect(&minimal[i]);
+    }
+}
+
+static void what_changes_nothing_calls_for_nothing(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(others); i++)
+        expect(&others[i]);
+}
+
+static void each_cause_is_needed(void **state)
+{
+    uint32_t used = 0;
+    (void)state;
+    for (int i = 0; i < TL_EFFECT_COUNT; i++) {
+        const uint32_t causes = tl_effect_rows[i].causes;
+        assert_true(tl_effects_of(causes) >> i & 1);
+        for (int c = 0; c < TL_CAUSE_COUNT; c++)
+            if (causes >> c & 1)
+                assert_false(tl_effects_of(~(1u << c)) >> i & 1);
+        used |= causes;
+    }
+    assert_int_equal(used, (1u << TL_CAUSE_COUNT) - 1u);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(each_effect_has_a_scene_of_its_own),
+        cmocka_unit_test(what_changes_nothing_calls_for_nothing),
+        cmocka_unit_test(each_cause_is_needed),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
