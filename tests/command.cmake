@@ -8,12 +8,13 @@ tl_test(test_command_convert command tl_lighting tl_files PkgConfig::JANSSON)
 tl_test(test_command_ispc command tl_files)
 tl_test(test_command_failures command tl_base)
 tl_test(test_command_samples command tl_picture tl_files)
+tl_test(test_command_explain command tl_files PkgConfig::JANSSON)
 tl_test(test_command_cache command tl_base)
 tl_test(test_command_scene command tl_raster PkgConfig::JANSSON)
 tl_test(test_command_layouts command tl_gbuffer PkgConfig::JANSSON)
 tl_test(test_command_import command tl_files OpenEXRCore-3_1 PkgConfig::JANSSON)
 target_include_directories(test_command_import SYSTEM PRIVATE ${OPENEXR_INCLUDE_DIRS})
-foreach(name import usage samples frames convert ispc failures cache scene layouts)
+foreach(name explain import usage samples frames convert ispc failures cache scene layouts)
     add_dependencies(test_command_${name} tilelight)
 endforeach()
 
@@ -23,6 +24,12 @@ add_test(NAME layouts_page_is_made
          COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/scripts/make-layouts-page
                  $<TARGET_FILE:tilelight> --check)
 tl_test_properties(layouts_page_is_made command)
+
+# Is the table of effects on their page what the program says?
+add_test(NAME effects_page_is_made
+         COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/scripts/make-effects-page
+                 $<TARGET_FILE:tilelight> --check)
+tl_test_properties(effects_page_is_made command)
 
 # Is the table of the page on captures that of the committed result?
 add_test(NAME captures_page_is_made

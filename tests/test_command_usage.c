@@ -27,6 +27,9 @@ static const struct {
     {"$T info --help", 0, "--json", ""},
     {"$T devices --help", 0, "--json", ""},
     {"$T layouts --help", 0, "--bandwidth", ""},
+    {"$T effects --help", 0, "--json", ""},
+    {"$T light --help", 0, "--explain-map", ""},
+    {"$T render --help", 0, "--effects", ""},
 
     {"$T light", 2, "", "G.exr is missing"},
     {"$T light a.exr", 2, "", "-o is missing"},

@@ -15,5 +15,6 @@ int command_compare(int argc, char **argv);
 int command_info(int argc, char **argv);
 int command_devices(int argc, char **argv);
 int command_layouts(int argc, char **argv);
+int command_effects(int argc, char **argv);
 
 #endif

@@ -82,20 +82,25 @@ static tl_status resolve(job *j, tl_error *err)
     return TL_OK;
 }
 
-tl_status job_light(job *j, const lighting_choice *choice, tl_device *device, tl_error *err)
+tl_status job_light(
+    job *j, const lighting_choice *choice, tl_device *device, explained *told, tl_error *err)
 {
     tl_status status = TL_OK;
     const tl_camera *camera = &j->gbuffer->camera;
     tl_lighting_counts counts = {0};
+    tl_lighting_options options = choice->options;
     tl_lighting *lighting = NULL;
+    options.keeps_tile_lights = told != NULL;
 
     console_stage("lighting");
     TRY(job_default_lights(j, err));
     tell_model(j);
     TRY(tl_image_create(camera->width, camera->height, &j->image, err));
-    TRY(tl_lighting_create(device, &choice->options, &lighting, err));
+    TRY(tl_lighting_create(device, &options, &lighting, err));
     TRY(tl_lighting_run(lighting, j->gbuffer, &j->lights, j->image, &j->timings,
                         &console_notices, &counts, err));
+    if (told)
+        TRY(explain_take(j, lighting, &options, &counts, told, err));
     TRY(resolve(j, err));
     report_counts(j, &counts);
     if (counts.first_kernel_s > 0.0)

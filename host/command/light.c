@@ -11,6 +11,7 @@ typedef struct light_options {
     lighting_choice lighting;
     tl_import_options import;
     picture_options pictures;
+    explain_options explain;
     report_options report;
 } light_options;
 
@@ -24,6 +25,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         state->child_inputs[1] = &options->lighting;
         state->child_inputs[2] = &options->import;
         state->child_inputs[3] = &options->report;
+        state->child_inputs[4] = &options->explain;
         return 0;
     }
     if (key == ARGP_KEY_SUCCESS && options->report.json &&
@@ -37,6 +39,7 @@ static const struct argp_child children[] = {
     {&lighting_argp, 0, "Lighting:", 2},
     {&import_argp, 0, "Captures of other programs (docs/file-formats.md):", 3},
     {&report_argp, 0, "Reports:", 4},
+    {&explain_argp, 0, NULL, 4},
     {0},
 };
 
@@ -51,14 +54,19 @@ static const struct argp argp = {
 static tl_status run(job *j, const light_options *options, tl_device **device, tl_error *err)
 {
     tl_status status = TL_OK;
+    explained told = {0};
     TRY(picture_check(&options->pictures, options->gbuffer, err));
+    TRY(explain_check(&options->explain, options->gbuffer, err));
     TRY(job_begin(j, &options->report, err));
     TRY(job_prepare_light(j, &options->lighting, device, err));
     TRY(job_read(j, options->gbuffer, &options->import, options->lighting.strict, err));
-    TRY(job_light(j, &options->lighting, *device, err));
+    TRY(job_light(j, &options->lighting, *device,
+                  explain_wanted(&options->explain) ? &told : NULL, err));
     TRY(job_write_pictures(j, &options->pictures, err));
+    TRY(explain_tell(j, &options->explain, &told, err));
     TRY(job_finish(j, &options->report, err));
 done:
+    explained_clear(&told);
     return status;
 }
 

@@ -14,7 +14,8 @@ enum {
     OPTION_WIDTH,
     OPTION_CUTOFF,
     OPTION_MEMORY,
-    OPTION_PATH
+    OPTION_PATH,
+    OPTION_EFFECTS
 };
 
 #define WORD(name, word, meaning) [name] = word,
@@ -22,6 +23,9 @@ enum {
 static const char *const cull_words[] = {TL_CULLS(WORD)};
 static const char *const path_words[] = {TL_PATHS(WORD)};
 static const char *const precision_words[] = {TL_PRECISIONS(WORD)};
+static const char *const effects_words[] = {TL_EFFECTS_MODES(WORD)};
+static const value_words effects_modes = {"mode", "modes", effects_words,
+                                          TL_EFFECTS_MODE_COUNT};
 static const value_words culls = {"mode", "modes", cull_words, TL_CULL_COUNT};
 static const value_words paths = {"path", "paths", path_words, TL_PATH_COUNT};
 static const value_words precisions = {"precision", "precisions", precision_words,
@@ -50,6 +54,10 @@ static error_t parse(int key, char *text, struct argp_state *state)
         return 0;
     case OPTION_PATH:
         options->path = (tl_path)value_word(state, "--path", text, &paths);
+        return 0;
+    case OPTION_EFFECTS:
+        options->effects =
+            (tl_effects_mode)value_word(state, "--effects", text, &effects_modes);
         return 0;
     case OPTION_TILE:
         options->tile_size =
@@ -87,6 +95,10 @@ static const struct argp_option options_table[] = {
     {"path", OPTION_PATH, "NAME", 0,
      "How a frame is cut into work-items; the picture is the same bit for bit "
      "(default auto)." TL_PATHS(WORD_AND_MEANING),
+     0},
+    {"effects", OPTION_EFFECTS, "MODE", 0,
+     "Which effects are computed; the picture is the same bit for bit "
+     "(default auto)." TL_EFFECTS_MODES(WORD_AND_MEANING),
      0},
     {"width", OPTION_WIDTH, "LANES", 0,
      "Vector lanes of the kernels: 1, 4, 8 or 16 (default: what suits the device)", 0},

@@ -53,6 +53,8 @@ static const struct {
     {"devices", "", "what can run: OpenCL devices, the OpenGL renderer", command_devices, ""},
     {"layouts", "[NAME]", "how pixels are packed, and what their bytes buy", command_layouts,
      ""},
+    {"effects", "", "what lighting computes, and what calls for it", LIGHTING(command_effects),
+     "-DTILELIGHT_LIGHTING=ON"},
 };
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 

@@ -13,6 +13,7 @@ typedef struct render_options {
     tl_capture_options capture;
     lighting_choice lighting;
     picture_options pictures;
+    explain_options explain;
     report_options report;
 } render_options;
 
@@ -37,6 +38,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         state->child_inputs[1] = &options->capture;
         state->child_inputs[2] = &options->lighting;
         state->child_inputs[3] = &options->report;
+        state->child_inputs[4] = &options->explain;
         return 0;
     case OPTION_SCATTER:
         options->scatter_count = value_integer(state, "--scatter", text, 1, TL_MAX_SCATTERED);
@@ -55,11 +57,9 @@ static const struct argp_option options_table[] = {
 };
 
 static const struct argp_child children[] = {
-    {&picture_argp, 0, "Output:", 1},
-    {&capture_argp, 0, "View:", 2},
-    {&lighting_argp, 0, "Lighting:", 3},
-    {&report_argp, 0, "Reports:", 5},
-    {0},
+    {&picture_argp, 0, "Output:", 1},    {&capture_argp, 0, "View:", 2},
+    {&lighting_argp, 0, "Lighting:", 3}, {&report_argp, 0, "Reports:", 5},
+    {&explain_argp, 0, NULL, 5},         {0},
 };
 
 static const struct argp argp = {
@@ -90,15 +90,20 @@ done:
 static tl_status run(job *j, const render_options *options, tl_device **device, tl_error *err)
 {
     tl_status status = TL_OK;
+    explained told = {0};
     TRY(picture_check(&options->pictures, options->scene, err));
+    TRY(explain_check(&options->explain, options->scene, err));
     TRY(job_begin(j, &options->report, err));
     TRY(job_prepare_light(j, &options->lighting, device, err));
     TRY(job_capture(j, options->scene, &options->capture, options->lighting.strict, err));
     TRY(scatter(j, options->scatter_count, err));
-    TRY(job_light(j, &options->lighting, *device, err));
+    TRY(job_light(j, &options->lighting, *device,
+                  explain_wanted(&options->explain) ? &told : NULL, err));
     TRY(job_write_pictures(j, &options->pictures, err));
+    TRY(explain_tell(j, &options->explain, &told, err));
     TRY(job_finish(j, &options->report, err));
 done:
+    explained_clear(&told);
     return status;
 }
 

@@ -3,6 +3,8 @@
 #include "layout.h"
 #include "try.h"
 
+#include <string.h>
+
 /* One band: rows of tiles [first, first + count) of the frame. */
 typedef struct band {
     uint32_t first, count;
@@ -223,6 +225,31 @@ done:
     return status;
 }
 
+/* Where lists start and end says how long they are. */
+static tl_status keep_lengths(tl_pass_context *c, uint32_t *tile_lights, tl_error *err)
+{
+    const size_t count = tl_tile_count(&c->frame), size = count * sizeof(cl_uint);
+    tl_status status = TL_OK;
+    void *mapped = NULL;
+    TRY(tl_buffers_map(c->buffers, c->device, TL_BUFFER_ENDS, CL_MAP_READ, size, &mapped, err));
+    memcpy(tile_lights, mapped, size);
+    TRY(tl_buffers_unmap(c->buffers, c->device, TL_BUFFER_ENDS, mapped, err));
+    TRY(tl_buffers_map(c->buffers, c->device, TL_BUFFER_STARTS, CL_MAP_READ, size, &mapped,
+                       err));
+    for (size_t tile = 0; tile < count; tile++)
+        tile_lights[tile] -= ((const cl_uint *)mapped)[tile];
+    TRY(tl_buffers_unmap(c->buffers, c->device, TL_BUFFER_STARTS, mapped, err));
+done:
+    return status;
+}
+
+/* The band's part of what is kept for the frame; NULL: nothing is. */
+static uint32_t *tile_lights_of(const tl_pass_context *c, const tl_band_options *options)
+{
+    const size_t rows_before = c->frame.first_row / c->frame.tile_size;
+    return options->tile_lights ? options->tile_lights + rows_before * c->frame.tiles_x : NULL;
+}
+
 /* One band. *fitted is 0, and nothing lit, where cull_band says so. */
 static tl_status light_band(tl_pass_context *c,
                             const tl_band_options *options,
@@ -239,6 +266,8 @@ static tl_status light_band(tl_pass_context *c,
     clock = tl_timings_end(timings, "upload", clock);
     TRY(cull_band(c, options, gbuffer, counts, fitted, err));
     clock = tl_timings_end(timings, "cull", clock);
+    if (*fitted && options->tile_lights)
+        TRY(keep_lengths(c, tile_lights_of(c, options), err));
     if (*fitted) {
         TRY(shade(c, counts, err));
         clock = tl_timings_end(timings, "shade", clock);

@@ -14,6 +14,8 @@ struct tl_lighting {
     tl_lighting_options options;
     tl_prepared prepared;
     tl_buffers buffers;
+    uint32_t *tile_lights; /* [tile_capacity]; NULL unless it is asked for; owned */
+    size_t tile_capacity;
     tl_gbuffer *unpacked; /* of the last frame, where a user's kernel lit a packed one */
 };
 
@@ -109,6 +111,7 @@ void tl_lighting_destroy(tl_lighting *lighting)
     tl_buffers_release(&lighting->buffers);
     tl_gbuffer_destroy(lighting->unpacked);
     tl_prepared_clear(&lighting->prepared);
+    free(lighting->tile_lights);
     free(lighting);
 }
 
@@ -151,7 +154,8 @@ static tl_status run_on_device(tl_lighting *lighting,
     const tl_lighting_options *options = &lighting->options;
     const tl_kernel_options kernels = kernel_options(lighting);
     const tl_band_options bands = {.cull = options->cull != TL_CULL_NONE,
-                                   .memory_limit = options->memory_limit};
+                                   .memory_limit = options->memory_limit,
+                                   .tile_lights = lighting->tile_lights};
     tl_status status = TL_OK;
     tl_pass_context context = {.device = lighting->device,
                                .buffers = &lighting->buffers,
@@ -167,6 +171,16 @@ done:
     if (context.program && tl_program_keep(lighting->device, context.program))
         tl_timings_end(timings, "keep", clock);
     return status;
+}
+
+void tl_lighting_explain(const tl_lighting *lighting, tl_explanation *out)
+{
+    *out = lighting->prepared.explanation;
+}
+
+const uint32_t *tl_lighting_tile_lights(const tl_lighting *lighting)
+{
+    return lighting->tile_lights;
 }
 
 void tl_lighting_build_options(const tl_lighting *lighting, char *text, size_t size)
@@ -226,6 +240,27 @@ static tl_lighting_counts counts_of(const tl_prepared *prepared)
     };
 }
 
+/* Room for every tile, which without lists has every light. */
+static tl_status reserve_tile_lights(tl_lighting *lighting,
+                                     const tl_lighting_counts *counts,
+                                     tl_error *err)
+{
+    if (!lighting->options.keeps_tile_lights)
+        return TL_OK;
+    if (counts->tile_count > lighting->tile_capacity) {
+        uint32_t *grown =
+            realloc(lighting->tile_lights, counts->tile_count * sizeof *lighting->tile_lights);
+        if (!grown)
+            return tl_fail(err, TL_ERR_MEMORY, "out of memory for the lights of %u tiles",
+                           counts->tile_count);
+        lighting->tile_lights = grown;
+        lighting->tile_capacity = counts->tile_count;
+    }
+    for (uint32_t i = 0; i < counts->tile_count; i++)
+        lighting->tile_lights[i] = counts->ranged_light_count;
+    return TL_OK;
+}
+
 tl_status tl_lighting_run(tl_lighting *lighting,
                           const tl_gbuffer *gbuffer,
                           const tl_light_set *lights,
@@ -255,6 +290,7 @@ tl_status tl_lighting_run(tl_lighting *lighting,
                    notices, &lighting->prepared, err));
     clock = tl_timings_end(timings, "prepare", clock);
     frame_counts = counts_of(&lighting->prepared);
+    TRY(reserve_tile_lights(lighting, &frame_counts, err));
     if (precisions[options->precision].on_host) {
         tl_reference_light(&lighting->prepared, gbuffer,
                            precisions[options->precision].arithmetic, image);

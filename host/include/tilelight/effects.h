@@ -24,23 +24,24 @@ typedef enum tl_cause_kind {
 } tl_cause_kind;
 
 /* X(name, kind, what it is, after "no" where it is lacking) */
-#define TL_CAUSES(X)                                                                         \
-    X(TL_CAUSE_GLOBAL, TL_CAUSE_OF_LIGHTS, "light that reaches everything")                  \
-    X(TL_CAUSE_RANGED, TL_CAUSE_OF_LIGHTS, "light with a range")                             \
-    X(TL_CAUSE_DIRECTIONAL, TL_CAUSE_OF_LIGHTS, "directional light")                         \
-    X(TL_CAUSE_INVERSE_SQUARE, TL_CAUSE_OF_LIGHTS, "light with this falloff")                \
-    X(TL_CAUSE_LINEAR, TL_CAUSE_OF_LIGHTS, "light with this falloff")                        \
-    X(TL_CAUSE_LINEAR_FROM, TL_CAUSE_OF_LIGHTS, "light with this falloff")                   \
-    X(TL_CAUSE_HIGHLIGHT, TL_CAUSE_OF_LIGHTS, "light with a specular lobe")                  \
-    X(TL_CAUSE_GLOSS, TL_CAUSE_OF_PLANES, "specular or metal-rough material")                \
-    X(TL_CAUSE_METAL_ROUGH, TL_CAUSE_OF_PLANES, "metal-rough material")                      \
-    X(TL_CAUSE_OCCLUSION, TL_CAUSE_OF_PLANES, "occlusion")                                   \
-    X(TL_CAUSE_EMISSION, TL_CAUSE_OF_PLANES, "emission")                                     \
-    X(TL_CAUSE_AMBIENT, TL_CAUSE_OF_FRAME, "ambient light")                                  \
-    X(TL_CAUSE_SKY, TL_CAUSE_OF_FRAME, "colour of the sky")                                  \
-    X(TL_CAUSE_MODEL, TL_CAUSE_OF_FRAME, "shading model other than phong")                   \
-    X(TL_CAUSE_ONE_COLOR, TL_CAUSE_OF_FRAME,                                                 \
-      "model that tints the lobe, with grey specular colours and lights of one colour each") \
+#define TL_CAUSES(X)                                                                       \
+    X(TL_CAUSE_GLOBAL, TL_CAUSE_OF_LIGHTS, "light that reaches everything")                \
+    X(TL_CAUSE_RANGED, TL_CAUSE_OF_LIGHTS, "light with a range")                           \
+    X(TL_CAUSE_DIRECTIONAL, TL_CAUSE_OF_LIGHTS, "directional light")                       \
+    X(TL_CAUSE_INVERSE_SQUARE, TL_CAUSE_OF_LIGHTS, "light with an inverse-square falloff") \
+    X(TL_CAUSE_LINEAR, TL_CAUSE_OF_LIGHTS, "light with a linear falloff")                  \
+    X(TL_CAUSE_LINEAR_FROM, TL_CAUSE_OF_LIGHTS,                                            \
+      "light with a linear falloff that begins at a distance")                             \
+    X(TL_CAUSE_HIGHLIGHT, TL_CAUSE_OF_LIGHTS, "light with a specular lobe")                \
+    X(TL_CAUSE_GLOSS, TL_CAUSE_OF_PLANES, "specular or metal-rough material")              \
+    X(TL_CAUSE_METAL_ROUGH, TL_CAUSE_OF_PLANES, "metal-rough material")                    \
+    X(TL_CAUSE_OCCLUSION, TL_CAUSE_OF_PLANES, "occlusion")                                 \
+    X(TL_CAUSE_EMISSION, TL_CAUSE_OF_PLANES, "emission")                                   \
+    X(TL_CAUSE_AMBIENT, TL_CAUSE_OF_FRAME, "ambient light")                                \
+    X(TL_CAUSE_SKY, TL_CAUSE_OF_FRAME, "colour of the sky")                                \
+    X(TL_CAUSE_MODEL, TL_CAUSE_OF_FRAME, "shading model other than phong")                 \
+    X(TL_CAUSE_ONE_COLOR, TL_CAUSE_OF_FRAME,                                               \
+      "model that tints grey highlights, and lights of one colour each")                   \
     X(TL_CAUSE_PARALLEL, TL_CAUSE_OF_FRAME, "orthographic camera")
 
 typedef enum tl_cause {

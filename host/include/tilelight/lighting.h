@@ -119,6 +119,7 @@ typedef struct tl_lighting_options {
     uint32_t tile_size; /* px: 8, 16, 32 or 64 */
     uint32_t
         vector_width; /* lanes: 1, 4, 8 or 16; 0: what suits the device; the gpu path has 1 */
+    int keeps_tile_lights;   /* 1: for tl_lighting_tile_lights */
     tl_effects_mode effects; /* the picture is the same bit for bit */
     float light_cutoff; /* a light without a range ends where it gives this (lx); 0: never */
     uint64_t
@@ -173,6 +174,13 @@ tl_status tl_lighting_run(tl_lighting *lighting,
                           const tl_notices *notices,
                           tl_lighting_counts *counts,
                           tl_error *err);
+
+/* What the last frame called for, and why. *out is all zero before the first. Cannot fail. */
+void tl_lighting_explain(const tl_lighting *lighting, tl_explanation *out);
+
+/* Of each tile of the last frame, how many lights with a range it lists: [tiles_y][tiles_x], until the next
+ * frame; on the CPU paths, which have no lists, all of them. NULL unless the options ask to keep it. */
+const uint32_t *tl_lighting_tile_lights(const tl_lighting *lighting);
 
 /* What the kernels of the last frame were built with, as the OpenCL compiler was given it; empty where
  * they were none, as on the CPU paths. text: [size], NUL-terminated, cut to fit. Cannot fail. */

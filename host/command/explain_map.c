@@ -1,0 +1,94 @@
+#include "explain_map.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Value in [0, 1] to a code: IEC 61966-2-1. */
+static uint8_t srgb_code(double linear)
+{
+    const double v =
+        linear <= 0.0031308 ? 12.92 * linear : 1.055 * pow(linear, 1.0 / 2.4) - 0.055;
+    const double cut = v < 0.0 ? 0.0 : v > 1.0 ? 1.0 : v;
+    return (uint8_t)lrint(255.0 * cut);
+}
+
+/* Oklab to linear Rec. 709: B. Ottosson, "A perceptual color space for image processing" (2020). */
+static void code_of_oklab(double lightness, double a, double b, uint8_t code[3])
+{
+    const double l = pow(lightness + 0.3963377774 * a + 0.2158037573 * b, 3.0);
+    const double m = pow(lightness - 0.1055613458 * a - 0.0638541728 * b, 3.0);
+    const double s = pow(lightness - 0.0894841775 * a - 1.2914855480 * b, 3.0);
+    code[0] = srgb_code(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s);
+    code[1] = srgb_code(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s);
+    code[2] = srgb_code(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s);
+}
+
+/* The ramp, at in [0, 1]: lightness rises evenly, so that it reads without colour too, and the hue goes from
+ * blue by way of purple and red to yellow. Within Rec. 709, so that nothing is cut. */
+static void ramp(double at, uint8_t code[3])
+{
+    const double hue = (280.0 + 185.0 * at) * (3.14159265358979323846 / 180.0);
+    const double chroma = 0.15;
+    code_of_oklab(0.38 + 0.52 * at, chroma * cos(hue), chroma * sin(hue), code);
+}
+
+static size_t tile_count(const explained *e)
+{
+    return (size_t)e->tiles_x * e->tiles_y;
+}
+
+static int class_of(const map_scale *scale, uint32_t lights)
+{
+    int i = 0;
+    while (i + 1 < scale->count && lights > scale->of[i].to)
+        i++;
+    return i;
+}
+
+map_scale explain_map_scale(const explained *e)
+{
+    map_scale scale = {.count = 1, .sky = {128, 128, 128}};
+    uint32_t most = 0;
+    for (size_t t = 0; t < tile_count(e); t++)
+        if (e->surfaces[t] > 0 && e->lights[t] > most)
+            most = e->lights[t];
+    const uint32_t classes = most < MOST_MAP_CLASSES ? most : MOST_MAP_CLASSES;
+    for (uint32_t i = 0; i < classes; i++) {
+        map_class *of = &scale.of[scale.count++];
+        of->from = (uint32_t)((uint64_t)most * i / classes) + 1;
+        of->to = (uint32_t)((uint64_t)most * (i + 1) / classes);
+        ramp(classes > 1 ? (double)i / (classes - 1) : 1.0, of->color);
+    }
+    for (size_t t = 0; t < tile_count(e); t++) {
+        if (e->surfaces[t] > 0)
+            scale.of[class_of(&scale, e->lights[t])].tiles++;
+        else
+            scale.sky_tiles++;
+    }
+    return scale;
+}
+
+tl_status explain_map_write(
+    const job *j, const explained *e, const map_scale *scale, const char *path, tl_error *err)
+{
+    const uint32_t side = tl_samples_side(j->gbuffer->samples);
+    const uint32_t width = j->gbuffer->camera.width / side;
+    const uint32_t height = j->gbuffer->camera.height / side;
+    uint8_t *rgb = malloc(3 * (size_t)width * height), *to = rgb;
+    if (!rgb)
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for a map of %u x %u pixels", width,
+                       height);
+    for (uint32_t y = 0; y < height; y++)
+        for (uint32_t x = 0; x < width; x++, to += 3) {
+            const size_t tile =
+                (size_t)(y * side / e->tile_size) * e->tiles_x + x * side / e->tile_size;
+            const uint8_t *color = e->surfaces[tile] == 0
+                                       ? scale->sky
+                                       : scale->of[class_of(scale, e->lights[tile])].color;
+            for (int c = 0; c < 3; c++)
+                to[c] = color[c];
+        }
+    const tl_status status = tl_png_write(path, rgb, width, height, TL_CURVE_SRGB, err);
+    free(rgb);
+    return status;
+}
