@@ -1,8 +1,10 @@
-/* Are scenes the same on every run, as crowded as asked for, and are their pairs counted right? */
+/* Are scenes the same on every run, as crowded as asked for, lit in full, and are their pairs counted
+ * right? */
 #define _GNU_SOURCE
 #include "frames.h"
 
 #include "bench_frame.h"
+#include "prepared.h"
 
 /* FNV-1a, 64 bits: Fowler, Noll, Vo, "The FNV Non-Cryptographic Hash Algorithm", RFC 9923. */
 static uint64_t checksum(uint64_t hash, const void *data, size_t size)
@@ -146,12 +148,40 @@ static void pairs_are_counted(void **state)
     }
 }
 
+/* A plane that a frame does not call for would be stored, and not timed. */
+static void every_plane_is_called_for(void **state)
+{
+    (void)state;
+    for (int i = 0; i < tl_bench_material_count; i++) {
+        tl_bench_scene_options options = tl_bench_scene_options_default();
+        tl_prepared prepared = {0};
+        tl_gbuffer *g = NULL;
+        tl_light_set lights = {0};
+        tl_error err;
+        options.width = 40;
+        options.height = 30;
+        options.light_count = 4;
+        options.material = &tl_bench_materials[i];
+        make(&tl_bench_scenes[0], &options, &g, &lights);
+        ASSERT_OK(tl_gbuffer_repair(g, options.material->name, false, NULL, &err), err);
+        ASSERT_OK(tl_prepare(g, &lights, &(tl_prepare_options){.tile_size = 16}, NULL,
+                             &prepared, &err),
+                  err);
+        if (prepared.needs.idle)
+            fail_msg("%s: planes %x are not read", options.material->name, prepared.needs.idle);
+        tl_prepared_clear(&prepared);
+        tl_light_set_clear(&lights);
+        tl_gbuffer_destroy(g);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(threads_do_not_show),
         cmocka_unit_test(tiles_list_what_was_asked_for),
         cmocka_unit_test(pairs_are_counted),
+        cmocka_unit_test(every_plane_is_called_for),
     };
     return cmocka_run_group_tests(tests, open_device, close_device);
 }

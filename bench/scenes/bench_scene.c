@@ -41,7 +41,7 @@ const tl_bench_material tl_bench_materials[] = {
     {"phong", "specular colour and exponent", TL_GROUP_BASE | TL_GROUP_PHONG},
     {"diffuse", "no highlights", TL_GROUP_BASE},
     {"metal-rough", "metallic and roughness", TL_GROUP_BASE | TL_GROUP_METAL_ROUGH},
-    {"full", "metallic, roughness, ambient occlusion, emission",
+    {"full", "metallic, roughness, ambient light and its occlusion, emission",
      TL_GROUP_BASE | TL_GROUP_METAL_ROUGH | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE},
 };
 const int tl_bench_material_count = sizeof tl_bench_materials / sizeof tl_bench_materials[0];
@@ -64,6 +64,13 @@ tl_bench_scene_options tl_bench_scene_options_default(void)
                                     .lights_per_tile = 27.0};
 }
 
+/* Occlusion is of ambient light: without any it would not be read, and not all of the material lit. */
+static void call_for_occlusion(const tl_bench_material *material, tl_light_set *lights)
+{
+    for (int i = 0; i < 3 && (material->present & TL_GROUP_OCCLUSION); i++)
+        lights->ambient[i] = 0.02f;
+}
+
 tl_status tl_bench_scene_make(const tl_bench_scene *scene,
                               const tl_bench_scene_options *options,
                               tl_gbuffer **gbuffer,
@@ -75,6 +82,7 @@ tl_status tl_bench_scene_make(const tl_bench_scene *scene,
     TRY(tl_ray_cast(scene, options->material->present, options->width, options->height, &made,
                     err));
     TRY(tl_scene_lights(made, options, lights, err));
+    call_for_occlusion(options->material, lights);
     *gbuffer = made;
     made = NULL;
 done:

@@ -39,7 +39,7 @@ static const struct argp_child children[] = {
     {&lighting_argp, 0, "Lighting:", 2},
     {&import_argp, 0, "Captures of other programs (docs/file-formats.md):", 3},
     {&report_argp, 0, "Reports:", 4},
-    {&explain_argp, 0, NULL, 4},
+    {&explain_argp, 0, "What the frame called for:", 5},
     {0},
 };
 

@@ -57,9 +57,12 @@ static const struct argp_option options_table[] = {
 };
 
 static const struct argp_child children[] = {
-    {&picture_argp, 0, "Output:", 1},    {&capture_argp, 0, "View:", 2},
-    {&lighting_argp, 0, "Lighting:", 3}, {&report_argp, 0, "Reports:", 5},
-    {&explain_argp, 0, NULL, 5},         {0},
+    {&picture_argp, 0, "Output:", 1},
+    {&capture_argp, 0, "View:", 2},
+    {&lighting_argp, 0, "Lighting:", 3},
+    {&report_argp, 0, "Reports:", 5},
+    {&explain_argp, 0, "What the frame called for:", 6},
+    {0},
 };
 
 static const struct argp argp = {
