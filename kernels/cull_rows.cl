@@ -160,8 +160,13 @@ typedef struct tile_row {
 } tile_row;
 
 /* Takes light i into the block and marks the tiles that it may reach. */
-TL_INLINE void mark(
-    const tl_frame *frame, tile_row *t, tl_view_light light, uint i, int x0, int x1)
+TL_INLINE void mark(const tl_frame *frame,
+                    tile_row *t,
+                    tl_view_light light,
+                    tl_view_spot spot,
+                    uint i,
+                    int x0,
+                    int x1)
 {
     const uint bit = t->count % 32;
     __global int *words = t->bits + t->count / 32 * frame->box_pitch;
@@ -169,7 +174,7 @@ TL_INLINE void mark(
         for (uint tile = 0; tile < 2 * frame->box_pitch; tile++)
             words[tile] = 0;
     for (uint tile = (uint)x0 / TL_WIDTH * TL_WIDTH; tile < (uint)x1; tile += TL_WIDTH) {
-        const mask reached = reached_tiles(frame, t->boxes, light, tile, x0, x1);
+        const mask reached = reached_tiles(frame, t->boxes, light, spot, tile, x0, x1);
         STORE_INTS(LOAD_INTS(words + tile) | INTS_WHERE(reached, 1u << bit), words + tile);
     }
     t->lights[t->count++] = i;
@@ -202,8 +207,8 @@ TL_INLINE void mark_block(const tl_frame *frame,
             continue;
         }
         if (rects[TL_RECT_Y0 * pitch + i] <= t->row && rects[TL_RECT_Y1 * pitch + i] > t->row)
-            mark(frame, t, lights[i], i, rects[TL_RECT_X0 * pitch + i],
-                 rects[TL_RECT_X1 * pitch + i]);
+            mark(frame, t, lights[i], spot_of(needs_of_build(), lights, frame->light_count, i),
+                 i, rects[TL_RECT_X0 * pitch + i], rects[TL_RECT_X1 * pitch + i]);
         i++;
     }
     t->next_light = i;
@@ -277,7 +282,7 @@ TL_INLINE uint interleaved(uint item, uint count)
 }
 
 /* planes    the frame's word planes, of which positions are read
- * lights    [light_count]; rects as light_rects leaves them
+ * lights    [light_count], and behind them the tl_view_spots of scenes with spots; rects as light_rects leaves them
  * boxes     [2][6][tiles_y][box_pitch], scratch
  * counts    [tiles_y][box_pitch], written in full: lengths of lists, 0 beyond the last tile of a row
  * bits      [tiles_y][TL_LIGHT_BLOCK / 32][box_pitch], scratch

@@ -163,7 +163,8 @@ TL_INLINE int meets_tile(const tl_frame *frame,
     const uint pitch = TL_RECT_PITCH(frame->light_count);
     const uint x = tile % frame->tiles_x, y = tile / frame->tiles_x;
     return meets_tiles(rects, pitch, i, (int)x, (int)x + 1, (int)y, (int)y + 1) &&
-           reached_tiles(frame, boxes + (size_t)y * frame->box_pitch, lights[i], x,
+           reached_tiles(frame, boxes + (size_t)y * frame->box_pitch, lights[i],
+                         spot_of(needs_of_build(), lights, frame->light_count, i), x,
                          rects[TL_RECT_X0 * pitch + i], rects[TL_RECT_X1 * pitch + i]);
 }
 

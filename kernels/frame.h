@@ -62,4 +62,15 @@ typedef struct tl_view_light {
 } tl_view_light;
 TL_STATIC_ASSERT(sizeof(tl_view_light) == 48, view_light_is_three_rows);
 
+/* The cone that a spot light shines into; of every other light one that is the whole of space. Where the
+ * scene has spots (TL_SPOTS), light_count of them stand behind the lights, in their order. */
+typedef struct tl_view_spot {
+    float axis[3];            /* unit, view space, from what is lit towards the light; else 0 */
+    float least_cos;          /* cosine of the outer half-angle; 2 where the cone is empty */
+    float least_cos2;         /* that times its magnitude */
+    float scale;              /* of the cosine above it, to 1 at the inner half-angle */
+    float cull_cos, cull_sin; /* of a half-angle that rounding cannot leave: spot.h */
+} tl_view_spot;
+TL_STATIC_ASSERT(sizeof(tl_view_spot) == 32, view_spot_is_two_rows);
+
 #endif

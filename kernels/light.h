@@ -13,6 +13,7 @@
 #include "needs.h"
 #include "reach.h"
 #include "specular.h"
+#include "spot.h"
 
 /* Nearer than 1e-12 m a light is in the surface point: float positions in metres tell no direction
  * there, and squares of what they differ by vanish. */
@@ -117,43 +118,53 @@ fade_of(tl_needs needs, tl_view_light light, real distance2, real distance, real
 }
 
 /* Whether a light with a range may add to a lane; it adds exactly 0 to all others. For short cuts. */
-TL_INLINE mask may_be_lit(tl_view_light light, approach a)
+TL_INLINE mask
+may_be_lit(tl_needs needs, tl_view_light light, tl_view_spot spot, vec3 l, approach a)
 {
-    return reaches(light, a.distance2) & (a.facing > R(0.0));
+    const mask near = reaches(light, a.distance2) & (a.facing > R(0.0));
+    return needs.spots ? near & in_cone(spot, l, a.distance2) : near;
 }
 
-/* A point light with a range: its diffuse lobe. A lane adds exactly 0 unless it is within reach itself
- * and the light is above its surface: which other pixels share the vector must not show in the
- * image. A light in the surface point itself, where no direction exists, adds 0. */
-TL_INLINE vec3 add_ranged_diffuse(
-    vec3 diffuse, tl_needs needs, tl_view_light light, approach a, real *distance, real *seen)
+/* A point or spot light with a range: its diffuse lobe. A lane adds exactly 0 unless it is within reach
+ * and cone itself and the light is above its surface: which other pixels share the vector must not show
+ * in the image. A light in the surface point itself, where no direction exists, adds 0. */
+TL_INLINE vec3 add_ranged_diffuse(vec3 diffuse,
+                                  tl_needs needs,
+                                  surface s,
+                                  tl_view_light light,
+                                  tl_view_spot spot,
+                                  approach a,
+                                  real *distance,
+                                  real *seen)
 {
     *distance = SQRT(a.distance2);
     const real per_distance = R(1.0) / *distance;
-    const mask lit = reaches(light, a.distance2) & (a.distance2 > TL_LEAST_DISTANCE2);
-    return add_diffuse(diffuse, needs, light, a.facing * per_distance,
-                       fade_of(needs, light, a.distance2, *distance, per_distance), lit, seen);
+    mask lit = reaches(light, a.distance2) & (a.distance2 > TL_LEAST_DISTANCE2);
+    real weight = fade_of(needs, light, a.distance2, *distance, per_distance);
+    if (needs.spots) {
+        const vec3 l = vector_to_light(s.position, light);
+        lit = lit & in_cone(spot, l, a.distance2);
+        weight = weight * cone_share(spot, l, per_distance);
+    }
+    return add_diffuse(diffuse, needs, light, a.facing * per_distance, weight, lit, seen);
 }
 
-TL_INLINE received add_ranged_light(received sum,
-                                    tl_needs needs,
-                                    surface s,
-                                    tl_view_light light)
+/* spot: its cone, whole_space() of a light that has none. */
+TL_INLINE received add_ranged_light(
+    received sum, tl_needs needs, surface s, tl_view_light light, tl_view_spot spot)
 {
     const vec3 l = vector_to_light(s.position, light);
     const approach a = approach_of(s, l);
     real distance, seen;
-    if (!any_lane(may_be_lit(light, a)))
+    if (!any_lane(may_be_lit(needs, light, spot, l, a)))
         return sum;
-    sum.diffuse = add_ranged_diffuse(sum.diffuse, needs, light, a, &distance, &seen);
+    sum.diffuse = add_ranged_diffuse(sum.diffuse, needs, s, light, spot, a, &distance, &seen);
     return needs.specular ? add_highlight(sum, needs, s, light, l, distance, seen) : sum;
 }
 
-/* A light that reaches everything: directional, or a point light without a range. */
-TL_INLINE received add_global_light(received sum,
-                                    tl_needs needs,
-                                    surface s,
-                                    tl_view_light light)
+/* A light that reaches everything: directional, or a point or spot light without a range. */
+TL_INLINE received add_global_light(
+    received sum, tl_needs needs, surface s, tl_view_light light, tl_view_spot spot)
 {
     const int is_directional = light.falloff == TL_FADE_NONE;
     const vec3 direction = {(real)light.position[0], (real)light.position[1],
@@ -162,11 +173,16 @@ TL_INLINE received add_global_light(received sum,
     const approach a = approach_of(s, l);
     const real distance = is_directional ? (real)R(1.0) : SQRT(a.distance2);
     const real per_distance = R(1.0) / distance;
-    const real weight =
+    real weight =
         is_directional ? (real)R(1.0) : fade_inverse_square(a.distance2, per_distance, R(0.0));
+    mask lit = a.distance2 > R(0.0);
+    if (needs.spots) {
+        lit = lit & in_cone(spot, l, a.distance2);
+        weight = weight * cone_share(spot, l, per_distance);
+    }
     real seen;
-    sum.diffuse = add_diffuse(sum.diffuse, needs, light, a.facing * per_distance, weight,
-                              a.distance2 > R(0.0), &seen);
+    sum.diffuse =
+        add_diffuse(sum.diffuse, needs, light, a.facing * per_distance, weight, lit, &seen);
     return needs.specular ? add_highlight(sum, needs, s, light, l, distance, seen) : sum;
 }
 

@@ -2,6 +2,7 @@
  *
  * In double, because the eye may be one ulp outside a light's sphere; on a device without it the
  * host runs the same header (host/lighting/passes.c). */
+#include "spot.h"
 #include "tile_rect.h"
 
 #ifdef TL_HAS_SPHERE_BOUNDS
@@ -22,7 +23,8 @@ __kernel void light_rects(const tl_frame frame,
     for (uint i = first; i < first + run; i++) {
         tl_tile_rect rect = {0, 0, 0, 0};
         if (i >= frame.global_count && i < frame.light_count)
-            rect = tile_rect_of(window, &frame, lights[i]);
+            rect = tile_rect_of_spot(window, &frame, lights[i],
+                                     spot_of(needs_of_build(), lights, frame.light_count, i));
         rects[TL_RECT_X0 * pitch + i] = rect.x0;
         rects[TL_RECT_X1 * pitch + i] = rect.x1;
         rects[TL_RECT_Y0 * pitch + i] = rect.y0;

@@ -13,6 +13,7 @@ typedef struct tl_needs {
     tl_u32 orthographic; /* 1: parallel rays */
     tl_u32 layout;       /* how pixels are packed: a row of layout.h */
     tl_u32 model;        /* how surfaces reflect: a row of models.h */
+    tl_u32 spots;        /* 1: some light has a cone */
     tl_u32
         one_color; /* 1: the lobe is diffuse light times one number a pixel, for the model tints it,
                             specular colours are grey, and both lobes of every light have one colour */
@@ -25,9 +26,9 @@ typedef struct tl_needs {
 #ifdef __OPENCL_C_VERSION__
 TL_INLINE tl_needs needs_of_build(void)
 {
-    const tl_needs needs = {TL_PRESENT,      TL_FALLOFFS_USED, TL_SPECULAR,
-                            TL_ORTHOGRAPHIC, TL_LAYOUT,        TL_MODEL,
-                            TL_ONE_COLOR,    TL_AMBIENT,       TL_IDLE};
+    const tl_needs needs = {TL_PRESENT, TL_FALLOFFS_USED, TL_SPECULAR, TL_ORTHOGRAPHIC,
+                            TL_LAYOUT,  TL_MODEL,         TL_SPOTS,    TL_ONE_COLOR,
+                            TL_AMBIENT, TL_IDLE};
     return needs;
 }
 #endif

@@ -10,6 +10,7 @@ __kernel void probe_layout(__global uint *out)
 {
     tl_frame frame;
     tl_view_light light;
+    tl_view_spot spot;
     uint n = 0;
     out[n++] = sizeof(tl_frame);
     out[n++] = OFFSET(frame, rays);
@@ -41,4 +42,11 @@ __kernel void probe_layout(__global uint *out)
     out[n++] = OFFSET(light, fade);
     out[n++] = OFFSET(light, specular);
     out[n++] = OFFSET(light, falloff);
+    out[n++] = sizeof(tl_view_spot);
+    out[n++] = OFFSET(spot, axis);
+    out[n++] = OFFSET(spot, least_cos);
+    out[n++] = OFFSET(spot, least_cos2);
+    out[n++] = OFFSET(spot, scale);
+    out[n++] = OFFSET(spot, cull_cos);
+    out[n++] = OFFSET(spot, cull_sin);
 }

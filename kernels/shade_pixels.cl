@@ -33,9 +33,11 @@ __kernel void shade_pixels(const tl_frame frame,
     received sum = {{0, 0, 0}, {0, 0, 0}};
     if (in.depth < (real)INFINITY) {
         for (uint i = 0; i < frame.global_count; i++)
-            sum = add_global_light(sum, needs, s, lights[i]);
+            sum = add_global_light(sum, needs, s, lights[i],
+                                   spot_of(needs, lights, frame.light_count, i));
         for (uint i = starts[tile]; i < ends[tile]; i++)
-            sum = add_ranged_light(sum, needs, s, lights[list[i]]);
+            sum = add_ranged_light(sum, needs, s, lights[list[i]],
+                                   spot_of(needs, lights, frame.light_count, list[i]));
     }
     const vec3 out = radiance_of(&frame, needs, in, material_of(needs, in), sum);
     store_block(out.x, radiance + at, frame.pitch);

@@ -54,6 +54,7 @@ TL_INLINE received add_listed_lights(received sum,
                                      tl_needs needs,
                                      surface s,
                                      __global const tl_view_light *lights,
+                                     uint light_count,
                                      __global const uint *list,
                                      uint count)
 {
@@ -68,16 +69,19 @@ TL_INLINE received add_listed_lights(received sum,
     /* Those that may add anything; without a branch, for which they are is not predictable. */
     for (uint i = 0; i < count; i++) {
         const tl_view_light light = lights[list[i]];
-        const approach a = approach_of(s, vector_to_light(s.position, light));
+        const tl_view_spot spot = spot_of(needs, lights, light_count, list[i]);
+        const vec3 l = vector_to_light(s.position, light);
+        const approach a = approach_of(s, l);
         kept[kept_count] = list[i];
         reach[kept_count] = a.distance2;
         seen[kept_count] = a.facing;
-        kept_count += any_lane(may_be_lit(light, a));
+        kept_count += any_lane(may_be_lit(needs, light, spot, l, a));
     }
     for (uint i = 0; i < kept_count; i++) {
         const approach a = {reach[i], seen[i]};
-        sum.diffuse =
-            add_ranged_diffuse(sum.diffuse, needs, lights[kept[i]], a, &reach[i], &seen[i]);
+        const tl_view_spot spot = spot_of(needs, lights, light_count, kept[i]);
+        sum.diffuse = add_ranged_diffuse(sum.diffuse, needs, s, lights[kept[i]], spot, a,
+                                         &reach[i], &seen[i]);
     }
     if (!needs.specular)
         return sum;
@@ -97,7 +101,8 @@ TL_INLINE received add_listed_lights(received sum,
 }
 
 /* planes    the frame's word planes, [rows][pitch] numbers each: layout.h
- * lights    [light_count]: first the global_count that reach everything
+ * lights    [light_count]: first the global_count that reach everything; behind them as many
+ *           tl_view_spots, where the scene has spots
  * starts, ends  [tiles_y * tiles_x]: tile t lists list[starts[t]] to list[ends[t] - 1], ascending
  * radiance  [3][rows][pitch], linear Rec. 709; written in full for every tile of the image
  * Global size: tiles_x * tiles_y, tiles row by row. */
@@ -136,9 +141,10 @@ __kernel void shade_tiles(const tl_frame frame,
             received sum = {{0, 0, 0}, {0, 0, 0}};
             if (any_lane(s.position.z > (real)-INFINITY)) {
                 for (uint i = 0; i < frame.global_count; i++)
-                    sum = add_global_light(sum, needs, s, lights[i]);
+                    sum = add_global_light(sum, needs, s, lights[i],
+                                           spot_of(needs, lights, frame.light_count, i));
                 for (uint i = start; i < end; i += LIGHTS_AT_ONCE)
-                    sum = add_listed_lights(sum, needs, s, lights, list + i,
+                    sum = add_listed_lights(sum, needs, s, lights, frame.light_count, list + i,
                                             min(end - i, (uint)LIGHTS_AT_ONCE));
             }
             const tl_words words = load_words(&layout, planes, plane_size, at, frame.pitch);

@@ -5,7 +5,7 @@
 #define TL_TILE_BOX_H
 
 #include "position.h"
-#include "reach.h"
+#include "spot.h"
 
 /* Six values per box, as planes of [tiles_y][box_pitch] scalars. */
 enum { LOW_X, LOW_Y, LOW_Z, HIGH_X, HIGH_Y, HIGH_Z, VALUES };
@@ -60,11 +60,20 @@ TL_INLINE box load_boxes(__global const scalar *from, size_t plane)
     return b;
 }
 
+TL_INLINE mask light_meets_box(tl_view_light light, tl_view_spot spot, box of)
+{
+    const mask reached = reaches_box(light, of);
+    if (!needs_of_build().spots || !any_lane(reached))
+        return reached;
+    return reached & cone_meets_box(spot, light, of);
+}
+
 /* Which of TL_WIDTH tiles from `tile` on, in a row of tiles, the light may reach; its rectangle has
  * the columns [x0, x1). row_boxes: of the row's first tile. */
 TL_INLINE mask reached_tiles(const tl_frame *frame,
                              __global const scalar *row_boxes,
                              tl_view_light light,
+                             tl_view_spot spot,
                              uint tile,
                              int x0,
                              int x1)
@@ -75,11 +84,11 @@ TL_INLINE mask reached_tiles(const tl_frame *frame,
     if (frame->box_count == 0)
         return in_rect;
     const box near = load_boxes(row_boxes + tile, plane);
-    mask reached = reaches_box(light, near);
+    mask reached = light_meets_box(light, spot, near);
     if (frame->box_count > 1) {
         const box far = load_boxes(row_boxes + VALUES * plane + tile, plane);
         if (any_lane(far.low.x <= far.high.x))
-            reached = reached | reaches_box(light, far);
+            reached = reached | light_meets_box(light, spot, far);
     }
     return in_rect & reached;
 }

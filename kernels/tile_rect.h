@@ -87,21 +87,21 @@ TL_INLINE int tile_after(double high, double tile_size, int count)
     return tile < (double)(count - 1) ? (int)tile + 1 : count;
 }
 
-TL_INLINE tl_tile_rect tile_rect_of(tl_view_window w,
-                                    const tl_frame *frame,
-                                    tl_view_light light)
+/* A sphere's; its centre is of floats. */
+TL_INLINE tl_tile_rect tile_rect_of_sphere(tl_view_window w,
+                                           const tl_frame *frame,
+                                           double centre_x,
+                                           double centre_y,
+                                           double depth,
+                                           double r)
 {
-    const double r = sqrt((double)light.range2 * (1.0 + 0x1p-21)) + 1e-20;
-    const double depth = -(double)light.position[2];
     const double size = (double)frame->tile_size;
     const int tiles_x = (int)frame->tiles_x, tiles_y = (int)frame->tiles_y;
     const tl_tile_rect whole = {0, tiles_x, 0, tiles_y};
     if (isinf(w.margin_x) || isinf(w.margin_y))
         return whole;
-    const tl_interval x =
-        sphere_interval((double)light.position[0], depth, r, w.near, w.far, w.orthographic);
-    const tl_interval y =
-        sphere_interval((double)light.position[1], depth, r, w.near, w.far, w.orthographic);
+    const tl_interval x = sphere_interval(centre_x, depth, r, w.near, w.far, w.orthographic);
+    const tl_interval y = sphere_interval(centre_y, depth, r, w.near, w.far, w.orthographic);
     tl_tile_rect rect = {0, 0, 0, 0};
     if (!(x.low <= x.high) || !(y.low <= y.high))
         return rect;
@@ -118,6 +118,56 @@ TL_INLINE tl_tile_rect tile_rect_of(tl_view_window w,
     rect.x1 = tile_after(x1, size, tiles_x);
     rect.y1 = tile_after(y1, size, tiles_y);
     return rect;
+}
+
+/* The range that an exact distance may have at most. */
+TL_INLINE double widened_range(tl_view_light light)
+{
+    return sqrt((double)light.range2 * (1.0 + 0x1p-21)) + 1e-20;
+}
+
+TL_INLINE tl_tile_rect tile_rect_of(tl_view_window w,
+                                    const tl_frame *frame,
+                                    tl_view_light light)
+{
+    return tile_rect_of_sphere(w, frame, (double)light.position[0], (double)light.position[1],
+                               -(double)light.position[2], widened_range(light));
+}
+
+/* Of a spot what its sphere and the least sphere around what its cone cuts out of that have in common. The
+ * latter, of range R and half-angle a: up to 45 degrees it goes through the light and the rim, with centre
+ * and radius R/(2 cos a); up to 90 degrees the rim is a great circle of it, with centre at R cos a and
+ * radius R sin a. The cone is that of spot.h, which pixels are in whatever rounding does; its cosine, its
+ * sine, its axis, and the way of a position as it is rounded are off by 2u each: less than 16u of R in all,
+ * and R is no more than twice the radius. The centre is rounded to floats. */
+TL_INLINE tl_tile_rect tile_rect_of_spot(tl_view_window w,
+                                         const tl_frame *frame,
+                                         tl_view_light light,
+                                         tl_view_spot spot)
+{
+    const tl_tile_rect all = tile_rect_of(w, frame, light);
+    const double c = (double)spot.cull_cos, s = (double)spot.cull_sin;
+    if (!(c > 0.0))
+        return all;
+    const double range = widened_range(light);
+    const double away = c > s ? range / (2.0 * c) : range * c;
+    const double radius = (c > s ? away : range * s) * (1.0 + 0x1p-19);
+    float centre[3];
+    double rounded = 0.0;
+    for (int i = 0; i < 3; i++) {
+        centre[i] = (float)((double)light.position[i] - away * (double)spot.axis[i]);
+        rounded += 0x1p-23 * fabs((double)centre[i]);
+    }
+    const tl_tile_rect cone =
+        tile_rect_of_sphere(w, frame, (double)centre[0], (double)centre[1], -(double)centre[2],
+                            radius + rounded + 1e-30);
+    tl_tile_rect both;
+    both.x0 = cone.x0 > all.x0 ? cone.x0 : all.x0;
+    both.x1 = cone.x1 < all.x1 ? cone.x1 : all.x1;
+    both.y0 = cone.y0 > all.y0 ? cone.y0 : all.y0;
+    both.y1 = cone.y1 < all.y1 ? cone.y1 : all.y1;
+    const tl_tile_rect none = {0, 0, 0, 0};
+    return both.x0 < both.x1 && both.y0 < both.y1 ? both : none;
 }
 
 #endif

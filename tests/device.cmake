@@ -1,11 +1,13 @@
 # What the device computes, and the formulas behind it.
 tl_test(test_tile_rect unit tl_frame)
+tl_test(test_spot_culling unit tl_frame)
 tl_test(test_specular_rounding unit tl_frame)
 target_compile_options(test_specular_rounding PRIVATE -Wno-double-promotion)
 tl_test(test_frame_layout device tl_lighting)
 tl_test(test_layout_device device tl_lighting)
 tl_test(test_same_bits device tl_lighting)
 tl_test(test_culling_exact device tl_lighting)
+tl_test(test_spot_lists device tl_lighting tl_bench_scenes)
 tl_test(test_path_gpu device tl_lighting)
 tl_test(test_layouts_lit device tl_lighting)
 tl_test(test_layouts_unpacked device tl_lighting)

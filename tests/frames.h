@@ -88,6 +88,26 @@ static inline tl_light random_light(const tl_camera *camera,
     return light;
 }
 
+/* Makes the light a spot of some direction and half-angle, up to half of space as a rule; every fourth edge
+ * is hard. */
+static inline void aim_at_random(tl_light *light, uint32_t *seed)
+{
+    float length2;
+    do {
+        length2 = 0.0f;
+        for (int i = 0; i < 3; i++) {
+            light->direction[i] = uniform(seed, -1.0f, 1.0f);
+            length2 += light->direction[i] * light->direction[i];
+        }
+    } while (length2 > 1.0f || length2 < 0.01f);
+    for (int i = 0; i < 3; i++)
+        light->direction[i] /= sqrtf(length2);
+    light->type = TL_LIGHT_SPOT;
+    light->outer_cone = uniform(seed, 0.0f, 1.0f) < 0.8f ? uniform(seed, 0.1f, 1.5f)
+                                                         : uniform(seed, 1.5f, 3.1f);
+    light->inner_cone = light->outer_cone * fminf(1.0f, uniform(seed, 0.0f, 1.33f));
+}
+
 static inline tl_image *image_like(const tl_gbuffer *g)
 {
     tl_image *image = NULL;

@@ -93,6 +93,27 @@ static inline void add_global_lights(tl_light_set *lights)
     }
 }
 
+/* Makes the lights spots, but for every sixth: those at the cases aimed at the surface they are put at, or past
+ * it by less than rounding, or away. */
+static inline void make_hard_spots(tl_light_set *lights)
+{
+    static const float outer[] = {0.5f, 1.57079637f, 3e-4f, 3.14159274f, 2.0f, 0.0f};
+    uint32_t seed = 1875;
+    for (size_t i = 0; i < lights->count; i++) {
+        tl_light *light = &lights->lights[i];
+        if (i % 6 == 5 || light->type == TL_LIGHT_DIRECTIONAL)
+            continue;
+        aim_at_random(light, &seed);
+        if (i % 2 == 0)
+            for (int axis = 0; axis < 3; axis++)
+                light->direction[axis] = axis == 2 ? (i % 4 ? 1.0f : -1.0f) : 0.0f;
+        if (i % 3 != 0) {
+            light->outer_cone = outer[i % COUNT_OF(outer)];
+            light->inner_cone = i % 5 ? 0.0f : light->outer_cone;
+        }
+    }
+}
+
 /* Every case, random pixels and random lights; lights are added to an empty set. The caller
  * destroys the frame and clears the lights. */
 static inline tl_gbuffer *hard_frame(tl_projection projection,

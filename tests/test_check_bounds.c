@@ -88,6 +88,8 @@ static void pixels_at_the_limits(void **state)
             tl_gbuffer *g = hard_frame((tl_projection)projection, present[p], &lights);
             check_widths(*state, projection ? "hard, parallel" : "hard", g, &lights, 0.0f,
                          COUNT_OF(widths));
+            make_hard_spots(&lights);
+            check_widths(*state, projection ? "spots, parallel" : "spots", g, &lights, 0.0f, 1);
             tl_light_set_clear(&lights);
             tl_gbuffer_destroy(g);
         }

@@ -41,6 +41,13 @@ static const kernel_case faults[] = {
     {"normalised, without its cosine", "normalized", "lobe *= n_dot_l", "lobe *= 1.0f"},
     {"normalised, (e + 8)/8", "normalized", "(exponent + 2.0f) / 8.0f",
      "(exponent + 8.0f) / 8.0f"},
+    {"spots lit as points", "spots", "if (TL_SPOTS)", "if (false)"},
+    {"a cone the wrong way round", "spots", "l) / d;\n    const float share",
+     "-l) / d;\n    const float share"},
+    {"a cone's share not squared", "spots", "return share * share", "return share"},
+    {"a cone's share not cut at 1", "spots-parallel", "spot.scale, 0.0f, 1.0f)",
+     "spot.scale, 0.0f, 2.0f)"},
+    {"cones of other lights", "spots", "cone_at(spots[index]", "cone_at(spots[index / 2]"},
     {"normalised, not tinted", "normalized-metal", "specular *= diffuse *", "specular *="},
 };
 

@@ -44,6 +44,16 @@ CHANGE_LIGHTS(diffuse, diffuse[0])
 CHANGE_LIGHTS(specular, specular[1])
 CHANGE_LIGHTS(fade, fade)
 
+#define CHANGE_SPOTS(name, field)                           \
+    static void change_##name(tl_prepared *p)               \
+    {                                                       \
+        for (uint32_t i = 0; i < p->frame.light_count; i++) \
+            scale(&p->spots[i].field);                      \
+    }
+CHANGE_SPOTS(spot_axis, axis[1])
+CHANGE_SPOTS(spot_cosine, least_cos)
+CHANGE_SPOTS(spot_scale, scale)
+
 static void change_offset(tl_prepared *p)
 {
     for (uint32_t i = 0; i < p->frame.light_count; i++) {
@@ -77,6 +87,9 @@ static const struct {
     {"fade, from a distance", "later", change_fade},
     {"offset, from a distance", "later", change_offset},
     {"specular, normalised", "normalized", change_specular},
+    {"a cone's axis", "spots", change_spot_axis},
+    {"a cone's cosine", "spots", change_spot_cosine},
+    {"a cone's scale", "spots", change_spot_scale},
 };
 
 static int frame_named(const char *name)

@@ -105,6 +105,59 @@ static void around_the_eye(const tl_gbuffer *g, tl_light_set *lights, uint32_t c
     }
 }
 
+static void spots(const tl_gbuffer *g, tl_light_set *lights, uint32_t count)
+{
+    uint32_t seed = 1879;
+    scattered(g, lights, count);
+    for (uint32_t i = 0; i < count; i++) {
+        lights->lights[i].range *= 3.0f;
+        if (i % 5 != 0)
+            aim_at_random(&lights->lights[i], &seed);
+        if (i % 50 == 1) {
+            lights->lights[i].range = INFINITY;
+            lights->lights[i].falloff = TL_FALLOFF_INVERSE_SQUARE;
+        }
+    }
+}
+
+/* Each cone's edge passes a pixel, as near as an angle in float can be: hard, and bright beyond measure,
+ * so that next to nothing at the edge shows. */
+static void cones(const tl_gbuffer *g, tl_light_set *lights, uint32_t count)
+{
+    const tl_needs needs = {.orthographic = g->camera.projection == TL_ORTHOGRAPHIC};
+    tl_prepared prepared = {0};
+    uint32_t seed = 20110901;
+    tl_error err;
+    spots(g, lights, count);
+    ASSERT_OK(tl_prepare(g, lights,
+                         &(tl_prepare_options){.tile_size = 16, .effects = TL_EFFECTS_ALL},
+                         NULL, &prepared, &err),
+              err);
+    for (uint32_t i = 0; i < count; i++) {
+        tl_light *light = &lights->lights[prepared.sources[i]];
+        const uint32_t column = (uint32_t)uniform(&seed, 0.0f, (float)g->camera.width);
+        const uint32_t row = (uint32_t)uniform(&seed, 0.0f, (float)g->camera.height);
+        const float depth = tl_gbuffer_plane(g, TL_DEPTH)[(size_t)row * g->pitch + column];
+        if (isinf(depth) || light->type != TL_LIGHT_SPOT)
+            continue;
+        const vec3 p =
+            view_position(prepared.frame.rays, needs, (float)column, (float)row, depth);
+        const vec3 l = vector_to_light(p, prepared.lights[i]);
+        const double length2 =
+            (double)l.x * (double)l.x + (double)l.y * (double)l.y + (double)l.z * (double)l.z;
+        const float *axis = prepared.spots[i].axis;
+        const double cosine = ((double)l.x * (double)axis[0] + (double)l.y * (double)axis[1] +
+                               (double)l.z * (double)axis[2]) /
+                              sqrt(length2);
+        const float edge = (float)acos(fmax(-1.0, fmin(1.0, cosine)));
+        light->outer_cone = i % 2 ? nextafterf(edge, 0.0f) : edge;
+        light->inner_cone = light->outer_cone;
+        light->range = 1.5f * sqrtf((float)length2);
+        light->intensity = 1e12f;
+    }
+    tl_prepared_clear(&prepared);
+}
+
 static const struct {
     const char *name;
     uint32_t count;
@@ -116,6 +169,8 @@ static const struct {
     {"steps that end at a pixel", SMALL, steps},
     {"around the eye", SMALL, around_the_eye},
     {"more lights on every tile than a block holds", MANY, all_over},
+    {"spots among points", 200, spots},
+    {"cones that end at a pixel", SMALL, cones},
     {"few lights after many", 3, scattered},
 };
 

@@ -20,6 +20,8 @@ typedef struct lamp {
     int is_directional;
     tl_falloff falloff;
     float range, begin; /* range 0: none */
+    int has_cone;
+    float cone; /* outer half-angle */
     float intensity, diffuse, specular;
 } lamp;
 
@@ -34,7 +36,7 @@ typedef struct scene {
     tl_effects_mode mode;
     uint32_t effects; /* expected: all of them */
     struct {
-        tl_u32 falloffs, specular, ambient, orthographic, one_color, idle;
+        tl_u32 falloffs, spots, specular, ambient, orthographic, one_color, idle;
     } needs;                                         /* expected */
     uint32_t light_count, idle[TL_IDLE_LIGHT_COUNT]; /* expected */
 } scene;
@@ -67,6 +69,11 @@ static const scene minimal[TL_EFFECT_COUNT] = {
                                           .falloff = TL_FALLOFF_LINEAR}},
                                .effects = ON(RANGED) | ON(LINEAR_FROM),
                                .needs = {.falloffs = FADE(LINEAR_FROM)}, .light_count = 1},
+    [TL_EFFECT_SPOTS] = {"a spot light", TL_GROUP_BASE,
+                         .lamps = {{ANY_LIGHT, .has_cone = 1, .cone = 0.5f}},
+                         .effects = ON(GLOBAL) | ON(INVERSE_SQUARE) | ON(SPOTS),
+                         .needs = {.falloffs = FADE(INVERSE_SQUARE), .spots = 1},
+                         .light_count = 1},
     [TL_EFFECT_SPECULAR] = {"a light with a lobe on a Phong material", PHONG,
                             .lamps = {{ANY_LIGHT, .is_directional = 1, .specular = 1.0f}},
                             .effects = ON(GLOBAL) | ON(DIRECTIONAL) | ON(SPECULAR),
@@ -125,21 +132,27 @@ static const scene others[] = {
      .idle = {[TL_IDLE_BLACK] = 1}},
     {"a range that no distance is below", TL_GROUP_BASE,
      .lamps = {{ANY_LIGHT, .range = 1e-30f}}, .idle = {[TL_IDLE_SHORT] = 1}},
+    {"a spot of no width", TL_GROUP_BASE,
+     .lamps = {{ANY_LIGHT, .has_cone = 1, .cone = 0.0f}}, .idle = {[TL_IDLE_NARROW] = 1}},
+    {"a spot of all of space, as hard as can be", TL_GROUP_BASE,
+     .lamps = {{ANY_LIGHT, .has_cone = 1, .cone = 3.14159274f}},
+     .effects = ON(GLOBAL) | ON(INVERSE_SQUARE),
+     .needs = {.falloffs = FADE(INVERSE_SQUARE)}, .light_count = 1},
     {"a lobe alone, and nothing to show it", TL_GROUP_BASE,
      .lamps = {{.intensity = 1.0f, .specular = 1.0f, .range = 1.0f}},
      .idle = {[TL_IDLE_NO_GLOSS] = 1}},
     {"all effects of a bare frame", TL_GROUP_BASE, .mode = TL_EFFECTS_ALL,
      .lamps = {{.diffuse = 1.0f, .range = 1.0f}},
      .effects = ON(RANGED) | ON(DIRECTIONAL) | ON(INVERSE_SQUARE) | ON(LINEAR) |
-                ON(LINEAR_FROM) | ON(AMBIENT),
-     .needs = {.falloffs = (1u << TL_FADE_COUNT) - 1u, .ambient = 1}, .light_count = 1,
+                ON(LINEAR_FROM) | ON(SPOTS) | ON(AMBIENT),
+     .needs = {.falloffs = (1u << TL_FADE_COUNT) - 1u, .spots = 1, .ambient = 1}, .light_count = 1,
      .idle = {[TL_IDLE_BLACK] = 1}},
     {"all effects of a frame with every plane", PHONG | OCCLUSION | EMISSION,
      .neutral = TL_THREE(TL_SPECULAR_R) | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE,
      .mode = TL_EFFECTS_ALL,
      .effects = ON(DIRECTIONAL) | ON(INVERSE_SQUARE) | ON(LINEAR) | ON(LINEAR_FROM) |
-                ON(SPECULAR) | ON(AMBIENT) | ON(OCCLUSION) | ON(EMISSION),
-     .needs = {.falloffs = (1u << TL_FADE_COUNT) - 1u, .specular = 1, .ambient = 1}},
+                ON(SPOTS) | ON(SPECULAR) | ON(AMBIENT) | ON(OCCLUSION) | ON(EMISSION),
+     .needs = {.falloffs = (1u << TL_FADE_COUNT) - 1u, .spots = 1, .specular = 1, .ambient = 1}},
 };
 
 static void add_lamp(tl_light_set *set, const lamp *from)
@@ -149,6 +162,10 @@ static void add_lamp(tl_light_set *set, const lamp *from)
     if (from->intensity == 0.0f && from->diffuse == 0.0f)
         return;
     light.type = from->is_directional ? TL_LIGHT_DIRECTIONAL : TL_LIGHT_POINT;
+    if (from->has_cone) {
+        light.type = TL_LIGHT_SPOT;
+        light.inner_cone = light.outer_cone = from->cone;
+    }
     light.direction[2] = -1.0f;
     light.falloff = from->falloff;
     light.range = from->range > 0.0f ? from->range : INFINITY;
@@ -197,6 +214,7 @@ static void expect(const scene *s)
                             .layout = s->layout,
                             .model = s->model,
                             .falloffs = s->needs.falloffs,
+                            .spots = s->needs.spots,
                             .specular = s->needs.specular,
                             .ambient = s->needs.ambient,
                             .orthographic = s->needs.orthographic,
@@ -204,9 +222,9 @@ static void expect(const scene *s)
                             .idle = s->needs.idle};
     expect_effects(s, p.explanation.effects);
     if (memcmp(&p.needs, &needs, sizeof needs) != 0)
-        fail_msg("%s: kernels are built for something else: falloffs %x, specular %u, ambient "
-                 "%u, orthographic %u, one_color %u, idle %x",
-                 s->name, p.needs.falloffs, p.needs.specular, p.needs.ambient,
+        fail_msg("%s: kernels are built for something else: falloffs %x, spots %u, specular %u, "
+                 "ambient %u, orthographic %u, one_color %u, idle %x",
+                 s->name, p.needs.falloffs, p.needs.spots, p.needs.specular, p.needs.ambient,
                  p.needs.orthographic, p.needs.one_color, p.needs.idle);
     if (p.frame.light_count != s->light_count)
         fail_msg("%s: %u lights", s->name, p.frame.light_count);

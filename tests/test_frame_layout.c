@@ -43,6 +43,13 @@ static const struct {
     FIELD(tl_view_light, fade),
     FIELD(tl_view_light, specular),
     FIELD(tl_view_light, falloff),
+    {"sizeof tl_view_spot", sizeof(tl_view_spot)},
+    FIELD(tl_view_spot, axis),
+    FIELD(tl_view_spot, least_cos),
+    FIELD(tl_view_spot, least_cos2),
+    FIELD(tl_view_spot, scale),
+    FIELD(tl_view_spot, cull_cos),
+    FIELD(tl_view_spot, cull_sin),
 };
 
 static void offsets_agree(void **state)

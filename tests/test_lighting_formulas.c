@@ -3,8 +3,8 @@
  * The oracle is written from the equations, in long double and world space: it shares no header with
  * the kernels. Phong: Policarpo and Fonseca 2005, equations 1 to 4 (with the half vector of unit
  * vectors, specular 0 where N.L <= 0); normalised Blinn-Phong, and a linear falloff that begins at a
- * distance: the ISPC project's deferred example; inverse square: KHR_lights_punctual; metal-rough to
- * Phong: docs/conventions.md. What may lie between the two is derived below, light by light. */
+ * distance: the ISPC project's deferred example; inverse square and the cones of spots:
+ * KHR_lights_punctual; metal-rough to Phong: docs/conventions.md. What may lie between the two is derived below, light by light. */
 #include "frames.h"
 
 #include "prepared.h"
@@ -79,6 +79,18 @@ static wide fade(const tl_light *light, wide d)
     const wide share = isinf(light->range) ? 0 : d / (wide)light->range;
     const wide nearest = d < 0.01L ? 0.01L : d;
     return (1 - share * share * share * share) / (nearest * nearest);
+}
+
+/* What a spot's cone lets through, where cosines are off by `off`; in float its sum and square are, too. */
+static wide cone(const tl_light *light, v3 to_light, wide off)
+{
+    if (light->type != TL_LIGHT_SPOT || light->inner_cone >= 3.14159274f)
+        return 1;
+    const wide cosine = -dot(unit(from_floats(light->direction)), to_light) + off;
+    const wide outer = cosl((wide)light->outer_cone);
+    const wide share = (cosine - outer) / fmaxl(0.001L, cosl((wide)light->inner_cone) - outer);
+    const wide cut = fminl(1, fmaxl(0, share));
+    return cut * cut;
 }
 
 static float value(const tl_gbuffer *g, int plane, size_t at)
@@ -182,8 +194,13 @@ static v3 radiance(const tl_gbuffer *g,
         const v3 l = unit(away), h = unit(add(l, 1, s.eye));
         const wide n_dot_l = dot(s.normal, l), n_dot_h = dot(s.normal, h);
         const wide d = sqrtl(dot(away, away)), turn = moved / d + 4 * u;
-        const wide weight = fade(light, d) * light->intensity;
-        const wide fall = (fade(light, d - moved) - fade(light, d + moved)) * light->intensity;
+        const wide weight = fade(light, d) * cone(light, l, 0) * light->intensity;
+        /* Of a cosine: how far the way turns, and 8u in float (kernels/spot.h), which has its own
+         * cosine, axis and scale rounded, 3u. */
+        const wide off = turn + 11 * u;
+        const wide fall = (fade(light, d - moved) * cone(light, l, off) -
+                           fade(light, d + moved) * cone(light, l, -off)) *
+                          light->intensity;
         const wide lobe = n_dot_h > 0 ? powl(n_dot_h, s.shininess) : 0;
         /* The normalised lobe's cosine turns too, but is not above 1. */
         const wide steep = turn * (1 + sqrtl(s.shininess) + normalized) + by->lobe * u * 33;
@@ -204,6 +221,28 @@ static v3 radiance(const tl_gbuffer *g,
     return out;
 }
 
+/* Inner and outer half-angles: soft, hard, half of space, more than that, all of it, with an edge and without. */
+static const float cones[][2] = {{0.3f, 0.6f}, {0.8f, 0.8f},        {0.0f, 1.57079637f},
+                                 {1.0f, 2.5f}, {0.0f, 3.14159274f}, {3.14159274f, 3.14159274f}};
+
+/* Aimed into the middle of what is seen, more or less. */
+static void aim(const tl_camera *camera, uint32_t *seed, size_t number, tl_light *light)
+{
+    const double view[3] = {(double)uniform(seed, -2.0f, 2.0f),
+                            (double)uniform(seed, -2.0f, 2.0f), -4.5};
+    double world[3], length2 = 0.0;
+    tl_camera_world_point(camera, view, world);
+    for (int i = 0; i < 3; i++) {
+        world[i] -= (double)light->position[i];
+        length2 += world[i] * world[i];
+    }
+    for (int i = 0; i < 3; i++)
+        light->direction[i] = (float)(world[i] / sqrt(length2));
+    light->type = TL_LIGHT_SPOT;
+    light->inner_cone = cones[number % COUNT_OF(cones)][0];
+    light->outer_cone = cones[number % COUNT_OF(cones)][1];
+}
+
 static void add_lights(const tl_camera *camera, tl_light_set *lights)
 {
     uint32_t seed = 1975;
@@ -220,6 +259,8 @@ static void add_lights(const tl_camera *camera, tl_light_set *lights)
             light.begin = 0.0f;
             light.falloff = TL_FALLOFF_INVERSE_SQUARE;
         }
+        if (i % 10 >= 6 || i == 11)
+            aim(camera, &seed, (size_t)i, &light);
         ASSERT_OK(tl_light_set_add(lights, &light, &err), err);
     }
     for (int i = 0; i < 3; i++) {
@@ -372,12 +413,82 @@ static void falloffs_stay_finite(void **state)
     tl_gbuffer_destroy(g);
 }
 
+/* A surface 2 m before the eye, that a spot at the eye lights straight on, turned away by `turn`. */
+static float spot_at(float inner, float outer, double turn, float range, tl_light_type type)
+{
+    static const double eye[3] = {0, 0, 0}, target[3] = {0, 0, -1}, up[3] = {0, 1, 0};
+    const tl_camera camera = tl_camera_look_at(eye, target, up, 1.0, 1, 1, 0.1, 10.0);
+    const tl_lighting_options options = {.precision = TL_PRECISION_TWIN, .tile_size = 8};
+    tl_light_set lights = {0};
+    tl_light light = tl_light_default();
+    tl_gbuffer *g = NULL;
+    tl_error err;
+    ASSERT_OK(tl_gbuffer_create(&camera, TL_GROUP_BASE, &g, &err), err);
+    tl_image *image = image_like(g);
+    set_pixel(g, TL_DEPTH, 0, 2.0f);
+    set_pixel(g, TL_NORMAL_Z, 0, 1.0f);
+    set_pixel(g, TL_ALBEDO_R, 0, 1.0f);
+    light.type = type;
+    light.range = range;
+    light.inner_cone = inner;
+    light.outer_cone = outer;
+    light.intensity = 4.0f;
+    light.direction[0] = (float)sin(turn);
+    light.direction[2] = (float)-cos(turn);
+    ASSERT_OK(tl_light_set_add(&lights, &light, &err), err);
+    light_frame(NULL, &options, g, &lights, image);
+    const float got = tl_image_plane(image, 0)[0];
+    tl_light_set_clear(&lights);
+    tl_image_destroy(image);
+    tl_gbuffer_destroy(g);
+    return got;
+}
+
+/* Where its meaning leaves no room for rounding: 0 outside, all of the light within the inner cone. */
+static void cones_by_hand(void **state)
+{
+    static const float quarter = 1.57079637f, half = 3.14159274f;
+    static const struct {
+        const char *name;
+        float inner, outer;
+        double turn;
+        float want; /* share of the light */
+    } cases[] = {
+        {"no width, on the axis", 0.0f, 0.0f, 0.0, 0.0f},
+        {"next to no width, on the axis", 0.0f, 1e-4f, 0.0, 0.0f},
+        {"within the inner cone", 0.5f, 0.6f, 0.45, 1.0f},
+        {"outside", 0.5f, 0.6f, 0.65, 0.0f},
+        {"hard, within", 0.5f, 0.5f, 0.49, 1.0f},
+        {"hard, outside", 0.5f, 0.5f, 0.51, 0.0f},
+        {"half of space, on the axis", 0.0f, quarter, 0.0, 1.0f},
+        {"half of space, outside", 0.0f, quarter, 1.58, 0.0f},
+        {"half of space, hard, within", quarter, quarter, 1.56, 1.0f},
+        {"more than half of space, within", 2.0f, 2.5f, 1.9, 1.0f},
+        {"more than half of space, outside", 2.0f, 2.5f, 2.6, 0.0f},
+        {"all of it, hard, but for what is behind", 3.0f, half, 2.9, 1.0f},
+        {"all of it, behind", half, half, 3.14159265358979, 1.0f},
+        {"all of it", half, half, 2.0, 1.0f},
+    };
+    static const float ranges[] = {4.0f, INFINITY};
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(cases); i++)
+        for (size_t r = 0; r < COUNT_OF(ranges); r++) {
+            const float point = spot_at(0, 1, 0.0, ranges[r], TL_LIGHT_POINT);
+            const float got = spot_at(cases[i].inner, cases[i].outer, cases[i].turn, ranges[r],
+                                      TL_LIGHT_SPOT);
+            if (!same_bits(got, cases[i].want * point))
+                fail_msg("%s: %a, want %a", cases[i].name, (double)got,
+                         (double)(cases[i].want * point));
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(equations_hold_for_the_reference),
         cmocka_unit_test(equations_hold_in_float),
         cmocka_unit_test(one_light_by_hand),
+        cmocka_unit_test(cones_by_hand),
         cmocka_unit_test(falloffs_stay_finite),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -15,28 +15,35 @@ static const struct {
     float range;                /* m, at most */
     float sky;                  /* share of the columns that are all sky, from the left */
     enum tl_layout_name layout; /* of stored positions: they are off their rays */
+    int spots;                  /* 1: all but every third light */
 } cases[] = {
-    {"no light", 40, 30, TL_PERSPECTIVE, 16, 0, 1.0f, 0.0f, TL_LAYOUT_FLOAT},
-    {"one pixel, one light", 1, 1, TL_PERSPECTIVE, 8, 1, 9.0f, 0.0f, TL_LAYOUT_FLOAT},
+    {"no light", 40, 30, TL_PERSPECTIVE, 16, 0, 1.0f, 0.0f, TL_LAYOUT_FLOAT, 0},
+    {"one pixel, one light", 1, 1, TL_PERSPECTIVE, 8, 1, 9.0f, 0.0f, TL_LAYOUT_FLOAT, 0},
     {"as many lights as a group has work-items", 40, 30, TL_PERSPECTIVE, 16, 64, 1.0f, 0.0f,
-     TL_LAYOUT_FLOAT},
-    {"one more", 40, 30, TL_ORTHOGRAPHIC, 16, 65, 1.0f, 0.0f, TL_LAYOUT_FLOAT},
-    {"all lights on all tiles", 61, 40, TL_PERSPECTIVE, 32, 300, 30.0f, 0.0f, TL_LAYOUT_FLOAT},
-    {"a column of pixels", 1, 130, TL_PERSPECTIVE, 8, 500, 1.0f, 0.0f, TL_LAYOUT_FLOAT},
-    {"a row of pixels", 300, 1, TL_ORTHOGRAPHIC, 8, 500, 1.0f, 0.0f, TL_LAYOUT_FLOAT},
-    {"tiles of nothing but sky", 130, 40, TL_PERSPECTIVE, 16, 500, 1.0f, 0.5f, TL_LAYOUT_FLOAT},
-    {"nothing but sky", 40, 30, TL_PERSPECTIVE, 16, 100, 1.0f, 1.0f, TL_LAYOUT_FLOAT},
+     TL_LAYOUT_FLOAT, 0},
+    {"one more", 40, 30, TL_ORTHOGRAPHIC, 16, 65, 1.0f, 0.0f, TL_LAYOUT_FLOAT, 0},
+    {"all lights on all tiles", 61, 40, TL_PERSPECTIVE, 32, 300, 30.0f, 0.0f, TL_LAYOUT_FLOAT,
+     0},
+    {"a column of pixels", 1, 130, TL_PERSPECTIVE, 8, 500, 1.0f, 0.0f, TL_LAYOUT_FLOAT, 0},
+    {"a row of pixels", 300, 1, TL_ORTHOGRAPHIC, 8, 500, 1.0f, 0.0f, TL_LAYOUT_FLOAT, 0},
+    {"tiles of nothing but sky", 130, 40, TL_PERSPECTIVE, 16, 500, 1.0f, 0.5f, TL_LAYOUT_FLOAT,
+     0},
+    {"nothing but sky", 40, 30, TL_PERSPECTIVE, 16, 100, 1.0f, 1.0f, TL_LAYOUT_FLOAT, 0},
     {"tiles larger than the image", 40, 30, TL_PERSPECTIVE, 64, 500, 1.0f, 0.0f,
-     TL_LAYOUT_FLOAT},
+     TL_LAYOUT_FLOAT, 0},
     {"cells, more than one in both ways", 140, 90, TL_PERSPECTIVE, 8, 5000, 0.3f, 0.2f,
-     TL_LAYOUT_FLOAT},
-    {"cells, one", 40, 30, TL_ORTHOGRAPHIC, 16, 6000, 0.2f, 0.0f, TL_LAYOUT_FLOAT},
-    {"cells, long lists", 70, 70, TL_PERSPECTIVE, 8, 4500, 1.5f, 0.0f, TL_LAYOUT_FLOAT},
+     TL_LAYOUT_FLOAT, 0},
+    {"cells, one", 40, 30, TL_ORTHOGRAPHIC, 16, 6000, 0.2f, 0.0f, TL_LAYOUT_FLOAT, 0},
+    {"cells, long lists", 70, 70, TL_PERSPECTIVE, 8, 4500, 1.5f, 0.0f, TL_LAYOUT_FLOAT, 0},
     {"positions in view space", 61, 40, TL_PERSPECTIVE, 16, 300, 1.0f, 0.1f,
-     TL_LAYOUT_MERLIN_POSITION},
+     TL_LAYOUT_MERLIN_POSITION, 0},
     {"positions in world space", 61, 40, TL_ORTHOGRAPHIC, 8, 300, 1.0f, 0.0f,
-     TL_LAYOUT_SHADERX2_96},
-    {"words of one byte", 61, 40, TL_PERSPECTIVE, 16, 300, 1.0f, 0.1f, TL_LAYOUT_ISPC},
+     TL_LAYOUT_SHADERX2_96, 0},
+    {"words of one byte", 61, 40, TL_PERSPECTIVE, 16, 300, 1.0f, 0.1f, TL_LAYOUT_ISPC, 0},
+    {"spots", 61, 40, TL_PERSPECTIVE, 16, 300, 3.0f, 0.1f, TL_LAYOUT_FLOAT, 1},
+    {"spots, cells", 140, 90, TL_ORTHOGRAPHIC, 8, 5000, 0.8f, 0.2f, TL_LAYOUT_FLOAT, 1},
+    {"spots, positions in view space", 61, 40, TL_PERSPECTIVE, 8, 300, 3.0f, 0.0f,
+     TL_LAYOUT_MERLIN_POSITION, 1},
 };
 
 enum { WITH_CELLS = 10 }; /* the case of more than one cell */
@@ -79,7 +86,9 @@ static void lights_of_case(size_t i, const tl_gbuffer *g, tl_light_set *lights)
     ASSERT_OK(tl_light_set_add(lights, &lamp, &err),
               err); /* reaches everything: is not listed */
     for (uint32_t k = 0; k < cases[i].light_count; k++) {
-        const tl_light light = random_light(&g->camera, &seed, 0.01f, cases[i].range);
+        tl_light light = random_light(&g->camera, &seed, 0.01f, cases[i].range);
+        if (cases[i].spots && k % 3 != 0)
+            aim_at_random(&light, &seed);
         ASSERT_OK(tl_light_set_add(lights, &light, &err), err);
     }
 }
@@ -119,7 +128,7 @@ static lists cull(const tl_device *device,
                          .prepared = prepared,
                          .frame = prepared->frame,
                          .by_pixel = by_pixel};
-    const size_t lights_size = prepared->frame.light_count * sizeof(tl_view_light);
+    const size_t lights_size = tl_prepared_lights_size(prepared);
     const size_t planes_size = gbuffer_bytes(g);
     tl_list_lengths lengths;
     double ms = 0.0;
@@ -189,6 +198,7 @@ static void lists_are_the_same(void **state)
                                                    .layout = prepared.needs.layout,
                                                    .present = prepared.needs.present,
                                                    .specular = prepared.needs.specular,
+                                                   .spots = prepared.needs.spots,
                                                    .falloffs = prepared.needs.falloffs};
                 const tl_program *found = NULL;
                 ASSERT_OK(tl_program_find(device, &options, NULL, &found, &err), err);

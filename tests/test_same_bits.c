@@ -9,13 +9,14 @@
 static void every_width_agrees(tl_device *device,
                                tl_precision precision,
                                uint32_t present,
-                               enum tl_shading_model model)
+                               enum tl_shading_model model,
+                               int spots)
 {
     static const uint32_t widths[] = {1, 4, 8, 16};
     const tl_arithmetic arithmetic =
         precision == TL_PRECISION_DOUBLE ? TL_TWIN_DOUBLE : TL_TWIN_FLOAT;
-    /* Models do not know of projections: one of them has both. */
-    const int projections = model == TL_MODEL_PHONG ? 2 : 1;
+    /* Models and spots do not know of projections: one of them has both. */
+    const int projections = model == TL_MODEL_PHONG && !spots ? 2 : 1;
     for (int projection = 0; projection < projections; projection++) {
         tl_light_set lights = {0};
         tl_gbuffer *g = hard_frame((tl_projection)projection, present, &lights);
@@ -23,6 +24,8 @@ static void every_width_agrees(tl_device *device,
         tl_prepared prepared = {0};
         tl_error err;
         lights.model = model;
+        if (spots)
+            make_hard_spots(&lights);
         ASSERT_OK(tl_prepare(g, &lights, &(tl_prepare_options){.tile_size = 16, .box_count = 1},
                              NULL, &prepared, &err),
                   err);
@@ -49,20 +52,31 @@ static void every_width_agrees_in_float(void **state)
 {
     every_width_agrees(*state, TL_PRECISION_FLOAT,
                        TL_GROUP_BASE | TL_GROUP_PHONG | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE,
-                       TL_MODEL_PHONG);
+                       TL_MODEL_PHONG, 0);
 }
 
 static void every_width_agrees_by_every_model(void **state)
 {
     for (int model = TL_MODEL_PHONG + 1; model < TL_MODEL_COUNT; model++)
         every_width_agrees(*state, TL_PRECISION_FLOAT, TL_GROUP_BASE | TL_GROUP_PHONG,
-                           (enum tl_shading_model)model);
+                           (enum tl_shading_model)model, 0);
 }
 
 static void every_width_agrees_on_metal(void **state)
 {
     every_width_agrees(*state, TL_PRECISION_FLOAT, TL_GROUP_BASE | TL_GROUP_METAL_ROUGH,
-                       TL_MODEL_PHONG);
+                       TL_MODEL_PHONG, 0);
+}
+
+static void every_width_agrees_on_spots(void **state)
+{
+    const tl_device_info info = tl_device_describe(*state);
+    for (int model = 0; model < TL_MODEL_COUNT; model++)
+        every_width_agrees(*state, TL_PRECISION_FLOAT, TL_GROUP_BASE | TL_GROUP_PHONG,
+                           (enum tl_shading_model)model, 1);
+    if (info.has_double)
+        every_width_agrees(*state, TL_PRECISION_DOUBLE, TL_GROUP_BASE | TL_GROUP_PHONG,
+                           TL_MODEL_PHONG, 1);
 }
 
 static void every_width_agrees_in_double(void **state)
@@ -70,7 +84,7 @@ static void every_width_agrees_in_double(void **state)
     const tl_device_info info = tl_device_describe(*state);
     if (info.has_double)
         every_width_agrees(*state, TL_PRECISION_DOUBLE, TL_GROUP_BASE | TL_GROUP_PHONG,
-                           TL_MODEL_PHONG);
+                           TL_MODEL_PHONG, 0);
 }
 
 /* Hard pixels in a layout whose specular colours are grey, lit by lights of one colour each. */
@@ -176,6 +190,7 @@ int main(void)
         cmocka_unit_test(one_colour_is_two_sums_at_once),
         cmocka_unit_test(every_width_agrees_where_lobes_share_a_colour),
         cmocka_unit_test(every_width_agrees_on_metal),
+        cmocka_unit_test(every_width_agrees_on_spots),
         cmocka_unit_test(every_width_agrees_in_double),
     };
     return cmocka_run_group_tests(tests, open_device, close_device);

@@ -4,6 +4,7 @@
  * Backwards: a pixel, a position as far off its ray as the slack allows, a light that reaches it. */
 #include "frames.h"
 
+#include "spot_cone.h"
 #include "tile_rect.h"
 
 enum { TILE = 8, TILES_X = 13, TILES_Y = 7, POINT_COUNT = 20000 };
@@ -76,6 +77,107 @@ static int reaching_light(const double at[3], uint32_t *seed, tl_view_light *out
     return distance2 < (double)out->range2;
 }
 
+static void assert_in_rect(tl_tile_rect rect, size_t i, int tile_x, int tile_y)
+{
+    if (tile_x < rect.x0 || tile_x >= rect.x1 || tile_y < rect.y0 || tile_y >= rect.y1)
+        fail_msg("%s: tile (%d, %d) is not in [%d, %d) x [%d, %d)", cases[i].name, tile_x,
+                 tile_y, rect.x0, rect.x1, rect.y0, rect.y1);
+    assert_true(rect.x0 >= 0 && rect.y0 >= 0 && rect.x1 <= TILES_X && rect.y1 <= TILES_Y);
+}
+
+static void random_direction(uint32_t *seed, double out[3])
+{
+    double length2;
+    do {
+        length2 = 0.0;
+        for (int i = 0; i < 3; i++) {
+            out[i] = (double)uniform(seed, -1.0f, 1.0f);
+            length2 += out[i] * out[i];
+        }
+    } while (length2 > 1.0 || length2 < 0.01);
+    for (int i = 0; i < 3; i++)
+        out[i] /= sqrt(length2);
+}
+
+/* A spot that lights the position, which is within its range and at the edge of its cone as a rule. */
+static tl_view_spot lighting_spot(const double at[3],
+                                  uint32_t *seed,
+                                  float outer,
+                                  tl_view_light *out)
+{
+    static const double eye[3] = {0, 0, 0}, target[3] = {0, 0, -1}, up[3] = {0, 1, 0};
+    const tl_camera camera = tl_camera_look_at(eye, target, up, 1.0, 1, 1, 0.1, 10.0);
+    const double angle = (double)outer * (uniform(seed, 0.0f, 1.0f) < 0.5f ? 0.999 : 0.5);
+    const double range = (double)uniform(seed, 0.01f, 3.0f);
+    const double away = range * (uniform(seed, 0.0f, 1.0f) < 0.5f ? 0.9999 : 0.7);
+    tl_light light = tl_light_default();
+    double way[3], other[3], along = 0.0, length2 = 0.0;
+    random_direction(seed, way);
+    random_direction(seed, other);
+    for (int i = 0; i < 3; i++)
+        along += other[i] * way[i];
+    for (int i = 0; i < 3; i++) {
+        other[i] -= along * way[i];
+        length2 += other[i] * other[i];
+    }
+    light.type = TL_LIGHT_SPOT;
+    light.outer_cone = outer;
+    *out = (tl_view_light){.range2 = (float)(range * range)};
+    for (int i = 0; i < 3; i++) {
+        out->position[i] = (float)(at[i] - away * way[i]);
+        light.direction[i] =
+            (float)(cos(angle) * way[i] + sin(angle) * other[i] / sqrt(length2));
+    }
+    return tl_spot_cone(&camera, &light);
+}
+
+/* Every pixel that is lit, again backwards: at every half-angle. */
+static void rectangles_of_cones_hold_every_pixel(void **state)
+{
+    static const float half_angles[] = {0.01f, 0.3f, 0.78f, 0.79f, 1.2f, 1.57f, 1.6f, 3.0f};
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(cases); i++) {
+        const tl_frame frame = frame_of(i);
+        const int parallel = cases[i].orthographic;
+        const tl_view_window window =
+            view_window(&frame, TL_LEAST_DEPTH(parallel), TL_GREATEST_DEPTH, parallel);
+        uint32_t seed = 12;
+        for (int k = 0; k < POINT_COUNT; k++) {
+            const uint32_t x = (uint32_t)uniform(&seed, 0.0f, TILES_X * TILE);
+            const uint32_t y = (uint32_t)uniform(&seed, 0.0f, TILES_Y * TILE);
+            double at[3];
+            tl_view_light light;
+            position_of(i, x, frame.first_row + y, &seed, at);
+            const tl_view_spot spot = lighting_spot(
+                at, &seed, half_angles[(size_t)k % COUNT_OF(half_angles)], &light);
+            assert_in_rect(tile_rect_of_spot(window, &frame, light, spot), i, (int)x / TILE,
+                           (int)y / TILE);
+        }
+    }
+}
+
+/* A cone that looks away from the view, beside it, has none; its sphere has. */
+static void rectangles_of_cones_are_smaller(void **state)
+{
+    static const double right[3] = {1.0, 0.0, 0.0};
+    static const double eye[3] = {0, 0, 0}, target[3] = {0, 0, -1}, up[3] = {0, 1, 0};
+    const tl_camera camera = tl_camera_look_at(eye, target, up, 1.0, 1, 1, 0.1, 10.0);
+    const tl_frame frame = frame_of(0);
+    const tl_view_window window = view_window(&frame, TL_LEAST_DEPTH(0), TL_GREATEST_DEPTH, 0);
+    const tl_view_light light = {.position = {2.8f, 2.8f, -4.0f}, .range2 = 4.0f};
+    tl_light spot = tl_light_default();
+    (void)state;
+    spot.type = TL_LIGHT_SPOT;
+    spot.outer_cone = 0.3f;
+    for (int i = 0; i < 3; i++)
+        spot.direction[i] = (float)right[i];
+    const tl_tile_rect all = tile_rect_of(window, &frame, light);
+    const tl_tile_rect cone =
+        tile_rect_of_spot(window, &frame, light, tl_spot_cone(&camera, &spot));
+    assert_true(all.x1 > all.x0 && all.y1 > all.y0);
+    assert_true(cone.x0 == cone.x1 && cone.y0 == cone.y1);
+}
+
 static void rectangles_hold_every_pixel(void **state)
 {
     (void)state;
@@ -96,11 +198,7 @@ static void rectangles_hold_every_pixel(void **state)
                 continue;
             const tl_tile_rect rect = tile_rect_of(window, &frame, light);
             reached++;
-            if (tile_x < rect.x0 || tile_x >= rect.x1 || tile_y < rect.y0 || tile_y >= rect.y1)
-                fail_msg("%s: tile (%d, %d) is not in [%d, %d) x [%d, %d)", cases[i].name,
-                         tile_x, tile_y, rect.x0, rect.x1, rect.y0, rect.y1);
-            assert_true(rect.x0 >= 0 && rect.y0 >= 0 && rect.x1 <= TILES_X &&
-                        rect.y1 <= TILES_Y);
+            assert_in_rect(rect, i, tile_x, tile_y);
         }
         assert_in_range(reached, POINT_COUNT / 4, POINT_COUNT);
     }
@@ -122,6 +220,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rectangles_hold_every_pixel),
         cmocka_unit_test(rectangles_without_slack_are_small),
+        cmocka_unit_test(rectangles_of_cones_hold_every_pixel),
+        cmocka_unit_test(rectangles_of_cones_are_smaller),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -88,6 +88,8 @@ tl_status tl_baseline_check(const tl_needs *needs, uint32_t falloffs, tl_error *
 {
     if (needs->model != TL_MODEL_PHONG)
         return tl_fail(err, TL_ERR_UNSUPPORTED, "knows the shading model phong alone");
+    if (needs->spots)
+        return tl_fail(err, TL_ERR_UNSUPPORTED, "knows no spot lights");
     if (needs->falloffs & ~falloffs)
         return tl_fail(err, TL_ERR_UNSUPPORTED, "knows no linear falloff that begins later");
     return TL_OK;

@@ -21,5 +21,5 @@ void flops_of_test(const surface *s, const tl_view_light *light, int *out)
 /* What it costs, test included, where the light does. */
 void flops_of_pair(const surface *s, const tl_view_light *light, received *sum)
 {
-    *sum = add_ranged_light(*sum, needs, *s, *light);
+    *sum = add_ranged_light(*sum, needs, *s, *light, whole_space());
 }

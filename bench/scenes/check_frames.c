@@ -16,8 +16,9 @@ enum {
     EDGES = 16,  /* lights that reach a pixel, or stand above its surface, to within rounding */
     CUTOFF = 32, /* lights without a range, which a cutoff ends while they are bright */
     ALL_SKY = 64,
-    LATER = 128,     /* half of the linear falloffs begin at a distance, some where they end */
-    NORMALIZED = 256 /* lit by the model blinn-phong-normalized */
+    LATER = 128,      /* half of the linear falloffs begin at a distance, some where they end */
+    NORMALIZED = 256, /* lit by the model blinn-phong-normalized */
+    SPOTS = 512       /* most lights are spots, of every angle, some with an edge at a pixel */
 };
 
 #define PHONG (TL_GROUP_BASE | TL_GROUP_PHONG)
@@ -60,6 +61,10 @@ static const check_frame frames[] = {
      "wall", 48, 33, 120, 1.0, PHONG, EDGES},
     {"cutoff", "lights without a range, ended by a cutoff where they are bright", "wall", 50,
      30, 60, 1.0, PHONG, CUTOFF},
+    {"spots", "spot lights of every angle, some whose edge is at a pixel", "spheres", 71, 44,
+     90, 5.0, PHONG, MIXED | LATER | SPOTS},
+    {"spots-parallel", "the same under parallel rays, and the model blinn-phong-normalized",
+     "wall", 45, 39, 70, 5.0, METAL | ALL_EXTRAS, MIXED | ORTHOGRAPHIC | NORMALIZED | SPOTS},
     {"many", "1500 lights on every tile", "wall", 24, 24, 1500, 30.0, PHONG, 0},
     {"unlit", "no light, ambient light only", "spheres", 33, 17, 0, 1.0, METAL | ALL_EXTRAS,
      MIXED},
@@ -326,6 +331,50 @@ static void move_lights(const check_frame *row, const tl_gbuffer *g, tl_light_se
     }
 }
 
+static double unit(double v[3])
+{
+    const double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    for (int i = 0; i < 3; i++)
+        v[i] /= length;
+    return length;
+}
+
+/* Aimed near the point. In turn: an edge at the point itself, hard; a soft one; hard, around it; half of
+ * space; more than that; all of it; of no width. */
+static void aim_at_point(tl_light *light, size_t number, uint32_t *seed, const double point[3])
+{
+    const float outer[] = {0.0f, 0.7f, 0.4f, 1.57079637f, 2.5f, 3.14159274f, 0.0f};
+    const float inner[] = {0.0f, 0.2f, 0.4f, 0.0f, 2.0f, 1.0f, 0.0f};
+    const size_t kind = number % (sizeof outer / sizeof outer[0]);
+    double towards[3], aim[3], cosine = 0.0;
+    for (int i = 0; i < 3; i++) {
+        towards[i] = point[i] - (double)light->position[i];
+        aim[i] = towards[i] + random_between(seed, -0.5, 0.5);
+    }
+    unit(towards);
+    if (!(unit(aim) > 0.0) || !isfinite(aim[0]))
+        return;
+    for (int i = 0; i < 3; i++) {
+        light->direction[i] = (float)aim[i];
+        cosine += aim[i] * towards[i];
+    }
+    light->type = TL_LIGHT_SPOT;
+    light->outer_cone = kind == 0 ? (float)acos(fmin(cosine, 1.0)) : outer[kind];
+    light->inner_cone = kind == 0 ? light->outer_cone : inner[kind];
+}
+
+/* All but the sun and every eighth. */
+static void make_spots(const tl_gbuffer *g, tl_light_set *lights)
+{
+    uint32_t seed = 123456789u;
+    for (size_t i = 0; i < lights->count; i++) {
+        double point[3], normal[3];
+        some_surface(g, &seed, point, normal);
+        if (i % 8 != 7 && lights->lights[i].type != TL_LIGHT_DIRECTIONAL)
+            aim_at_point(&lights->lights[i], i, &seed, point);
+    }
+}
+
 static void clear_depth(tl_gbuffer *g)
 {
     float *depths = tl_gbuffer_plane(g, TL_DEPTH);
@@ -369,6 +418,8 @@ tl_status tl_check_frame_make(int index, tl_checked_frame *out, tl_error *err)
         made.lights.model = TL_MODEL_BLINN_PHONG_NORMALIZED;
     if (row->traits & (EDGES | CUTOFF | PEAKS))
         move_lights(row, made.gbuffer, &made.lights);
+    if (row->traits & SPOTS)
+        make_spots(made.gbuffer, &made.lights);
     if (row->traits & ALL_SKY)
         clear_depth(made.gbuffer);
     TRY(tl_gbuffer_repair(made.gbuffer, row->name, false, NULL, err));

@@ -89,16 +89,23 @@ def document():
     return scene
 
 
+def ray(turn):
+    """Where -z of a node goes that is turned so."""
+    x, y, z, w = turn
+    return -2 * (x * z + w * y), -2 * (y * z - w * x), -(1 - 2 * (x * x + y * y))
+
+
 def lights():
-    """The same nine as a lights file in which the cones are points of the range that a cone's
-    pool of light has on the floor, so that all nine are lit today."""
-    def point(name, place, color, intensity, **more):
-        return {"type": "point", "name": name, "position": [round(c, 6) for c in place],
+    """The same nine as a lights file, and ambient light beside them."""
+    def row(kind, name, place, color, intensity, **more):
+        return {"type": kind, "name": name, "position": [round(c, 6) for c in place],
                 "color": list(color), "intensity": intensity, **more}
-    rows = [point(*WHOLE_SCREEN)]
-    rows += [point(*sphere[:4], range=sphere[4]) for sphere in SPHERES]
-    for name, place, color, _ in cones():
-        rows.append(point(name, (place[0] * 1.2, 0.7, place[2] * 1.2), color, 0.9, range=1.9))
+    rows = [row("point", *WHOLE_SCREEN)]
+    rows += [row("point", *sphere[:4], range=sphere[4]) for sphere in SPHERES]
+    for name, place, color, turn in cones():
+        rows.append(row("spot", name, place, color, 20.0, range=CONE_RANGE,
+                        direction=[round(c, 6) for c in ray(turn)],
+                        innerConeAngle=CONE_ANGLES[0], outerConeAngle=CONE_ANGLES[1]))
     lines = ",\n    ".join(json.dumps(row) for row in rows)
     text = '{\n  "tilelight": 1,\n  "ambient": [0.02, 0.02, 0.02],\n  "lights": [\n    %s\n  ]\n}\n'
     return (text % lines).encode()

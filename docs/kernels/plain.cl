@@ -1,4 +1,4 @@
-// A whole shading kernel that stands on the interface alone: the structs tl_frame and tl_view_light
+// A whole shading kernel that stands on the interface alone: the structs tl_frame, tl_view_light and tl_view_spot
 // and the numbers of the planes. One work-item shades one tile. It is meant to be read, not to be fast.
 //
 //     tilelight check --kernel plain.cl --entry plain
@@ -57,6 +57,14 @@ float weight_at(tl_view_light light, float distance)
     }
 }
 
+// What the cone of a spot light lets through towards a surface from which l leads to it, d metres long.
+float cone_at(tl_view_spot spot, float3 l, float d)
+{
+    const float cosine = dot((float3)(spot.axis[0], spot.axis[1], spot.axis[2]), l) / d;
+    const float share = clamp((cosine - spot.least_cos) * spot.scale, 0.0f, 1.0f);
+    return share * share;
+}
+
 __kernel void plain(const tl_frame frame,
                     __global const float *planes,
                     __global const tl_view_light *lights,
@@ -69,6 +77,7 @@ __kernel void plain(const tl_frame frame,
     const uint column0 = tile % frame.tiles_x * size, row0 = tile / frame.tiles_x * size;
     const size_t plane_size = (size_t)frame.rows * frame.pitch;
     const uint listed = ends[tile] - starts[tile];
+    __global const tl_view_spot *spots = (__global const tl_view_spot *)(lights + frame.light_count);
 
     for (uint i = 0; i < size * size; i++) {
         const uint column = column0 + i % size, row = row0 + i / size;
@@ -108,8 +117,8 @@ __kernel void plain(const tl_frame frame,
                   three_at(planes, plane_size, TL_EMISSIVE_R, at);
             for (uint k = 0; k < frame.global_count + listed; k++) {
                 const bool global_light = k < frame.global_count;
-                const tl_view_light light =
-                    lights[global_light ? k : list[starts[tile] + k - frame.global_count]];
+                const uint index = global_light ? k : list[starts[tile] + k - frame.global_count];
+                const tl_view_light light = lights[index];
                 const float3 position =
                     (float3)(light.position[0], light.position[1], light.position[2]);
                 const float3 l = light.falloff == TL_FADE_NONE ? position : position - point;
@@ -119,7 +128,9 @@ __kernel void plain(const tl_frame frame,
                 const float n_dot_l = dot(n, l) / d;
                 if (!(n_dot_l > 0.0f))
                     continue;
-                const float weight = weight_at(light, d);
+                float weight = weight_at(light, d);
+                if (TL_SPOTS)
+                    weight *= cone_at(spots[index], l, d);
                 float lobe = TL_SPECULAR ? specular_lobe(n, l / d + eye, exponent) : 0.0f;
                 if (normalized)
                     lobe *= n_dot_l;

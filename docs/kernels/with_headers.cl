@@ -11,7 +11,7 @@
 #    error "use --width 1"
 #endif
 
-enum { BATCH = 64 }; // lights at a time: 3 KiB of local memory; no tile has fewer pixels
+enum { BATCH = 64 }; // lights at a time: 5 KiB of local memory; no tile has fewer pixels
 
 float value_of(
     __global const float *in, size_t plane_size, uint group, int plane, float otherwise)
@@ -51,6 +51,7 @@ __kernel void shade_in_batches(const tl_frame frame,
                                __global float *radiance)
 {
     __local tl_view_light batch[BATCH];
+    __local tl_view_spot cones[BATCH];
     const uint tile = get_group_id(0), item = get_local_id(0), size = frame.tile_size;
     const uint column = tile % frame.tiles_x * size + item % size;
     const uint row = tile / frame.tiles_x * size + item / size;
@@ -64,17 +65,20 @@ __kernel void shade_in_batches(const tl_frame frame,
                                  (float)(frame.first_row + row));
     received sum = {{0, 0, 0}, {0, 0, 0}};
     for (uint i = 0; i < frame.global_count; i++)
-        sum = add_global_light(sum, needs, s, lights[i]);
+        sum = add_global_light(sum, needs, s, lights[i],
+                               spot_of(needs, lights, frame.light_count, i));
 
     // Every item takes part in every barrier, whether its pixel is sky or not.
     for (uint first = starts[tile]; first < ends[tile]; first += BATCH) {
         const uint count = min((uint)BATCH, ends[tile] - first);
         barrier(CLK_LOCAL_MEM_FENCE);
-        if (item < count)
+        if (item < count) {
             batch[item] = lights[list[first + item]];
+            cones[item] = spot_of(needs, lights, frame.light_count, list[first + item]);
+        }
         barrier(CLK_LOCAL_MEM_FENCE);
         for (uint i = 0; i < count; i++)
-            sum = add_ranged_light(sum, needs, s, batch[i]);
+            sum = add_ranged_light(sum, needs, s, batch[i], cones[i]);
     }
 
     const vec3 out = radiance_of(&frame, needs, in, material, sum);

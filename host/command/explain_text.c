@@ -199,11 +199,6 @@ static void each_left_out(const job *j,
             e->of.assumed ? "; lit all the same, by --effects all" : "");
         say(context, text);
     }
-    if (e->counts.left_out_count > 0) {
-        char text[MOST_TEXT] = "";
-        add(text, "%" PRIu32 " lights of types that are not lit yet", e->counts.left_out_count);
-        say(context, text);
-    }
     for (int i = 0; i < EXPLAIN_PLANE_WORDS; i++) {
         char text[MOST_TEXT] = "";
         if (!(e->of.idle & plane_words[i].planes))

@@ -40,9 +40,8 @@ tl_status job_default_lights(job *j, tl_error *err)
 static void report_counts(job *j, const tl_lighting_counts *c)
 {
     job_report(j, "lights",
-               json_pack("{sI sI sI}", "ranged", (json_int_t)c->ranged_light_count, "global",
-                         (json_int_t)c->global_light_count, "left_out",
-                         (json_int_t)c->left_out_count));
+               json_pack("{sI sI}", "ranged", (json_int_t)c->ranged_light_count, "global",
+                         (json_int_t)c->global_light_count));
     job_report(j, "lists",
                json_pack("{sI sI sI}", "tiles", (json_int_t)c->tile_count, "entries",
                          (json_int_t)c->list_length, "pixel_light_pairs",

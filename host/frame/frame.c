@@ -3,6 +3,7 @@
 #include "falloff.h"
 #include "layout.h"
 #include "scene_causes.h"
+#include "spot_cone.h"
 #include "view.h"
 
 #include <float.h>
@@ -120,6 +121,30 @@ static int has_two_colors(const tl_view_light *light)
     return memcmp(light->diffuse, light->specular, sizeof light->diffuse) != 0;
 }
 
+/* Light `source` of the set, unless it adds nothing. */
+static void add(const tl_camera *camera,
+                const tl_light *light,
+                uint32_t source,
+                const tl_prepare_options *options,
+                tl_prepared *prepared)
+{
+    tl_explanation *explanation = &prepared->explanation;
+    const int global = is_global(light, options->light_cutoff);
+    const tl_view_light v = light->type == TL_LIGHT_DIRECTIONAL
+                                ? directional(camera, light)
+                                : point(camera, light, options->light_cutoff);
+    const tl_view_spot spot = tl_spot_cone(camera, light);
+    const int is_idle = tl_light_is_idle(explanation, &v, &spot, source, global);
+    if (is_idle && options->effects != TL_EFFECTS_ALL)
+        return;
+    tl_causes_of_light(explanation, &v, tl_spot_has_edge(light), source, global);
+    prepared->two_colored_count += !is_idle && has_two_colors(&v);
+    const uint32_t i = prepared->frame.light_count++;
+    prepared->sources[i] = source;
+    prepared->lights[i] = v;
+    prepared->spots[i] = spot;
+}
+
 /* Lights in the order of the set, first the global ones, then the others. */
 static void collect(const tl_camera *camera,
                     const tl_light_set *lights,
@@ -127,52 +152,41 @@ static void collect(const tl_camera *camera,
                     int global,
                     tl_prepared *prepared)
 {
-    tl_explanation *explanation = &prepared->explanation;
-    const float cutoff = options->light_cutoff;
-    for (size_t i = 0; i < lights->count; i++) {
-        const tl_light *light = &lights->lights[i];
-        if (light->type == TL_LIGHT_SPOT || is_global(light, cutoff) != global)
-            continue;
-        const tl_view_light v = light->type == TL_LIGHT_DIRECTIONAL
-                                    ? directional(camera, light)
-                                    : point(camera, light, cutoff);
-        const int is_idle = tl_light_is_idle(explanation, &v, (uint32_t)i, global);
-        if (is_idle && options->effects != TL_EFFECTS_ALL)
-            continue;
-        tl_causes_of_light(explanation, &v, (uint32_t)i, global);
-        prepared->two_colored_count += !is_idle && has_two_colors(&v);
-        prepared->sources[prepared->frame.light_count] = (uint32_t)i;
-        prepared->lights[prepared->frame.light_count++] = v;
-    }
+    for (size_t i = 0; i < lights->count; i++)
+        if (is_global(&lights->lights[i], options->light_cutoff) == global)
+            add(camera, &lights->lights[i], (uint32_t)i, options, prepared);
     if (global)
         prepared->frame.global_count = prepared->frame.light_count;
 }
 
-static uint32_t count_left_out(const tl_light_set *lights)
+/* The cones directly behind the lights, however few of the set's there are. */
+static void close_up(tl_prepared *prepared)
 {
-    uint32_t count = 0;
-    for (size_t i = 0; i < lights->count; i++)
-        count += lights->lights[i].type == TL_LIGHT_SPOT;
-    return count;
+    const uint32_t count = prepared->frame.light_count;
+    tl_view_spot *behind = (tl_view_spot *)(prepared->lights + count);
+    if (count > 0)
+        memmove(behind, prepared->spots, count * sizeof *behind);
+    prepared->spots = behind;
 }
 
-static void name_left_out(const tl_light_set *lights,
-                          uint32_t left_out,
-                          const tl_notices *notices)
+static void name_empty_cones(const tl_light_set *lights, const tl_notices *notices)
 {
     char names[512] = "";
-    size_t length = 0;
-    for (size_t i = 0; i < lights->count && length < sizeof names - 80; i++) {
+    size_t length = 0, count = 0;
+    for (size_t i = 0; i < lights->count; i++) {
         const tl_light *light = &lights->lights[i];
-        if (light->type != TL_LIGHT_SPOT)
+        if (!tl_spot_is_empty(light))
             continue;
-        length +=
-            (size_t)snprintf(names + length, sizeof names - length, "%s%s", length ? ", " : "",
-                             light->name[0] ? light->name : "(no name)");
+        count++;
+        if (length < sizeof names - 80)
+            length += (size_t)snprintf(names + length, sizeof names - length, "%s%s",
+                                       length ? ", " : "",
+                                       light->name[0] ? light->name : "(no name)");
     }
-    tl_notice(notices, "%u spot light%s left out, for spots are not lit yet: %s%s", left_out,
-              left_out == 1 ? " is" : "s are", names,
-              length >= sizeof names - 80 ? ", ..." : "");
+    if (count > 0)
+        tl_notice(notices, "%zu spot light%s nothing, the outer cone being too narrow: %s%s",
+                  count, count == 1 ? " lights" : "s light", names,
+                  length >= sizeof names - 80 ? ", ..." : "");
 }
 
 static tl_frame frame_of(const tl_gbuffer *gbuffer,
@@ -202,7 +216,8 @@ static tl_status reserve_lights(tl_prepared *prepared, size_t count, tl_error *e
         return tl_fail(err, TL_ERR_ARGUMENT, "%zu lights: at most 2^31 are lit", count);
     if (count <= prepared->capacity)
         return TL_OK;
-    tl_view_light *lights = realloc(prepared->lights, count * sizeof *lights);
+    tl_view_light *lights =
+        realloc(prepared->lights, count * (sizeof *lights + sizeof(tl_view_spot)));
     prepared->lights = lights ? lights : prepared->lights;
     uint32_t *sources = realloc(prepared->sources, count * sizeof *sources);
     prepared->sources = sources ? sources : prepared->sources;
@@ -225,17 +240,24 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
     prepared->frame = frame_of(gbuffer, lights, options);
     prepared->explanation = tl_causes_of_frame(gbuffer, lights, options->effects);
     prepared->two_colored_count = 0;
+    prepared->spots = (tl_view_spot *)(prepared->lights + lights->count);
     collect(&gbuffer->camera, lights, options, 1, prepared);
     collect(&gbuffer->camera, lights, options, 0, prepared);
+    close_up(prepared);
     prepared->needs = tl_needs_of_causes(&prepared->explanation, gbuffer, lights);
     if (has_one_color(prepared)) {
         prepared->explanation.causes |= TL_BY(TL_CAUSE_ONE_COLOR);
         prepared->needs = tl_needs_of_causes(&prepared->explanation, gbuffer, lights);
     }
-    prepared->left_out_count = count_left_out(lights);
-    if (prepared->left_out_count > 0)
-        name_left_out(lights, prepared->left_out_count, notices);
+    name_empty_cones(lights, notices);
     return TL_OK;
+}
+
+size_t tl_prepared_lights_size(const tl_prepared *prepared)
+{
+    const size_t each =
+        sizeof(tl_view_light) + (prepared->needs.spots ? sizeof(tl_view_spot) : 0);
+    return prepared->frame.light_count * each;
 }
 
 void tl_prepared_clear(tl_prepared *prepared)

@@ -14,10 +14,11 @@
 typedef struct tl_prepared {
     tl_frame frame;
     tl_needs needs;
-    tl_view_light *lights; /* [capacity], the first frame.light_count are set; owned */
+    tl_view_light
+        *lights;         /* [frame.light_count], room for `capacity` with their spots; owned */
+    tl_view_spot *spots; /* [frame.light_count], behind the lights in the same memory */
     uint32_t *sources;     /* [capacity], of each its index in the light set; owned */
     size_t capacity;
-    uint32_t left_out_count; /* lights of types that lighting does not know */
     uint32_t
         two_colored_count; /* lights that add something, and whose lobes differ in colour */
     tl_explanation explanation; /* where `needs` comes from */
@@ -31,15 +32,18 @@ typedef struct tl_prepare_options {
 } tl_prepare_options;
 
 /* Fills *prepared, growing its lights where they do not fit; all zero is a valid start. Lights that add
- * exactly nothing are not among them (explanation.idle_lights), unless all effects are asked for. Names the
- * lights of types that it leaves out in a notice. Fails with TL_ERR_ARGUMENT (more than 2^31 lights) or
- * TL_ERR_MEMORY. */
+ * exactly nothing are not among them (explanation.idle_lights), unless all effects are asked for. Names spots
+ * that light nothing in a notice. Fails with TL_ERR_ARGUMENT (more than 2^31 lights) or TL_ERR_MEMORY. */
 tl_status tl_prepare(const tl_gbuffer *gbuffer,
                      const tl_light_set *lights,
                      const tl_prepare_options *options,
                      const tl_notices *notices,
                      tl_prepared *prepared,
                      tl_error *err);
+
+/* Bytes of prepared->lights that a device is given: the lights, and where there are spots the cones behind
+ * them. */
+size_t tl_prepared_lights_size(const tl_prepared *prepared);
 
 /* Leaves it all zero. */
 void tl_prepared_clear(tl_prepared *prepared);

@@ -29,7 +29,8 @@ static uint32_t causes_of_material(uint32_t present)
 /* One-colour is no effect to assume: it is another order of rounding. */
 static const uint32_t assumable = TL_BY(TL_CAUSE_DIRECTIONAL) | TL_BY(TL_CAUSE_INVERSE_SQUARE) |
                                   TL_BY(TL_CAUSE_LINEAR) | TL_BY(TL_CAUSE_LINEAR_FROM) |
-                                  TL_BY(TL_CAUSE_HIGHLIGHT) | TL_BY(TL_CAUSE_AMBIENT);
+                                  TL_BY(TL_CAUSE_HIGHLIGHT) | TL_BY(TL_CAUSE_CONE) |
+                                  TL_BY(TL_CAUSE_AMBIENT);
 
 tl_explanation tl_causes_of_frame(const tl_gbuffer *gbuffer,
                                   const tl_light_set *lights,
@@ -59,6 +60,7 @@ static void note(tl_some_lights *some, uint32_t index)
 /* Adding 0 to a sum that is not negative leaves its bits, and no cause of a sum is ever negative. */
 int tl_light_is_idle(tl_explanation *explanation,
                      const tl_view_light *light,
+                     const tl_view_spot *spot,
                      uint32_t index,
                      int is_global)
 {
@@ -68,6 +70,8 @@ int tl_light_is_idle(tl_explanation *explanation,
         why = TL_IDLE_BLACK;
     else if (!is_global && light->range2 == 0.0f)
         why = TL_IDLE_SHORT;
+    else if (spot->least_cos > 1.0f)
+        why = TL_IDLE_NARROW;
     else if (!is_lit_by(light->diffuse) && !has_gloss)
         why = TL_IDLE_NO_GLOSS;
     else
@@ -98,6 +102,7 @@ static void found(tl_explanation *explanation, tl_cause cause, uint32_t index)
 
 void tl_causes_of_light(tl_explanation *explanation,
                         const tl_view_light *light,
+                        int has_cone,
                         uint32_t index,
                         int is_global)
 {
@@ -105,6 +110,8 @@ void tl_causes_of_light(tl_explanation *explanation,
     found(explanation, falloff_causes[falloff_row(light->falloff)], index);
     if (is_lit_by(light->specular))
         found(explanation, TL_CAUSE_HIGHLIGHT, index);
+    if (has_cone)
+        found(explanation, TL_CAUSE_CONE, index);
 }
 
 static int is_on(const tl_explanation *explanation, tl_effect effect)
@@ -133,6 +140,7 @@ tl_needs tl_needs_of_causes(tl_explanation *e,
                       .model = lights->model,
                       .orthographic = (tl_u32)is_on(e, TL_EFFECT_PARALLEL),
                       .specular = (tl_u32)is_on(e, TL_EFFECT_SPECULAR),
+                      .spots = (tl_u32)is_on(e, TL_EFFECT_SPOTS),
                       .one_color = (tl_u32)is_on(e, TL_EFFECT_ONE_COLOR),
                       .ambient = (tl_u32)is_on(e, TL_EFFECT_AMBIENT),
                       .idle = e->idle};

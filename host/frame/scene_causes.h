@@ -18,12 +18,14 @@ tl_explanation tl_causes_of_frame(const tl_gbuffer *gbuffer,
  * it reaches everything. */
 int tl_light_is_idle(tl_explanation *explanation,
                      const tl_view_light *light,
+                     const tl_view_spot *spot,
                      uint32_t index,
                      int is_global);
 
-/* Notes what a light that is lit calls for. */
+/* Notes what a light that is lit calls for. has_cone: it is a spot whose inner cone is not all of space. */
 void tl_causes_of_light(tl_explanation *explanation,
                         const tl_view_light *light,
+                        int has_cone,
                         uint32_t index,
                         int is_global);
 

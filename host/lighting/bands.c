@@ -27,7 +27,7 @@ static uint64_t bytes_per_row(const tl_pass_context *c, const tl_gbuffer *gbuffe
 static uint64_t bytes_of_lights(const tl_pass_context *c)
 {
     const uint64_t count = c->prepared->frame.light_count;
-    return count * sizeof(tl_view_light) +
+    return tl_prepared_lights_size(c->prepared) +
            TL_RECT_PLANE_COUNT * TL_RECT_PITCH(count) * sizeof(cl_int);
 }
 
@@ -117,7 +117,7 @@ done:
 
 static tl_status upload_lights(tl_pass_context *c, tl_error *err)
 {
-    const size_t size = c->prepared->frame.light_count * sizeof(tl_view_light);
+    const size_t size = tl_prepared_lights_size(c->prepared);
     const tl_status status =
         tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_LIGHTS, size, err);
     if (status != TL_OK)

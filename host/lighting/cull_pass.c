@@ -71,7 +71,8 @@ static tl_status rects_on_host(const tl_pass_context *c, tl_error *err)
     const tl_view_window window =
         view_window(frame, TL_LEAST_DEPTH(orthographic), TL_GREATEST_DEPTH, orthographic);
     for (uint32_t i = frame->global_count; i < frame->light_count; i++) {
-        const tl_tile_rect rect = tile_rect_of(window, frame, c->prepared->lights[i]);
+        const tl_tile_rect rect =
+            tile_rect_of_spot(window, frame, c->prepared->lights[i], c->prepared->spots[i]);
         rects[TL_RECT_X0 * pitch + i] = rect.x0;
         rects[TL_RECT_X1 * pitch + i] = rect.x1;
         rects[TL_RECT_Y0 * pitch + i] = rect.y0;

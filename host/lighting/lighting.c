@@ -139,6 +139,7 @@ static tl_kernel_options kernel_options(const tl_lighting *lighting)
                                .specular = needs->specular,
                                .falloffs = needs->falloffs,
                                .model = needs->model,
+                               .spots = needs->spots,
                                .one_color = needs->one_color,
                                .ambient = needs->ambient,
                                .idle = needs->idle};
@@ -236,7 +237,6 @@ static tl_lighting_counts counts_of(const tl_prepared *prepared)
         .tile_count = frame->tiles_x * frame->tiles_y,
         .global_light_count = frame->global_count,
         .ranged_light_count = frame->light_count - frame->global_count,
-        .left_out_count = prepared->left_out_count,
     };
 }
 

@@ -16,7 +16,7 @@
  * Squares that leave the range of float (flushed to zero, or infinite) make what depends on them
  * unknown.
  *
- * Where a comparison decides on a light (d2 < range2, n.l > 0) and the two sides are closer than they
+ * Where a comparison decides on a light (d2 < range2, n.l > 0, in its cone) and the two sides are closer than they
  * may be off, either decision is allowed: the light's interval then begins at 0.
  *
  * tests/test_allowance.c shows that the kernels are within, and that small faults are not. */
@@ -216,6 +216,38 @@ static interval weight_of(tl_view_light light, const way *w)
     return inverse_square_weight(w->distance2, (double)light.fade);
 }
 
+/* What the cone of a spot lets through. */
+typedef struct aperture {
+    interval share;
+    int may_pass,
+        does_pass; /* whether the way is in the cone: at all, whatever rounding does */
+} aperture;
+
+static interval clamped_square(interval of)
+{
+    const double low = clamp_low(of.low < 1.0 ? of.low : 1.0),
+                 high = clamp_low(of.high < 1.0 ? of.high : 1.0);
+    return (interval){low * low * (1.0 - U), high * high * (1.0 + U) + flushed};
+}
+
+/* The cosine between axis and l: l turns as it moves; the sum of products is off by 3u of their
+ * magnitudes, which add up to 1 at most; a unit vector by unit_length. Where scale and offset are
+ * multiplied in, KHR_lights_punctual's way, scale, offset and sum are rounded once each, and none is more
+ * than scale. */
+static aperture aperture_of(tl_view_spot spot, const way *w)
+{
+    const vec3 axis = {spot.axis[0], spot.axis[1], spot.axis[2]};
+    if (!(dot3(axis, axis) > 0.0)) /* no spot */
+        return (aperture){{1.0, 1.0}, 1, 1};
+    if (!(w->exact > 0.0))
+        return (aperture){{0.0, 1.0}, 1, 0};
+    const double above = dot3(axis, w->l) / w->exact - (double)spot.least_cos;
+    const double off = chord(w->l_moved, w->exact) + (3.0 + unit_length + 3.0) * U;
+    const interval share = {(above - off) * (double)spot.scale,
+                            (above + off) * (double)spot.scale};
+    return (aperture){clamped_square(share), above > -off, above > off};
+}
+
 /* n.l / |l|. The directions of both move; the dot product rounds, 3u, and the parts of l where they
  * are divided first, u. Lengths scale it and cannot change its sign. */
 typedef struct incidence {
@@ -357,14 +389,17 @@ static rough_light light_on(const tl_prepared *prepared,
     if (!s->is_lit || !w.may_reach)
         return out;
     const incidence n_dot_l = incidence_of(s, &w);
-    if (!n_dot_l.may_be_above)
+    const aperture cone = aperture_of(prepared->spots[index], &w);
+    if (!n_dot_l.may_be_above || !cone.may_pass)
         return out;
     static const interval none = {0.0, 0.0};
-    const interval weight = weight_of(light, &w);
+    const interval falloff = weight_of(light, &w);
+    const interval weight = {falloff.low * cone.share.low * (1.0 - U),
+                             falloff.high * cone.share.high * (1.0 + U)};
     const interval shown = shown_to_lobe(prepared->needs, weight, n_dot_l.cosine);
     const interval lobe = prepared->needs.specular ? lobe_of(s, &w, form) : none;
     out.may_add = 1;
-    out.is_certain = w.does_reach && n_dot_l.is_above;
+    out.is_certain = w.does_reach && cone.does_pass && n_dot_l.is_above;
     out.n_dot_l = n_dot_l.exact;
     for (int i = 0; i < 3; i++) {
         out.diffuse[i] =

@@ -14,9 +14,9 @@ TL_INLINE vec3 light_surface(const tl_prepared *prepared, pixel in, surface s)
     received sum = {{0, 0, 0}, {0, 0, 0}};
     if (in.depth < (real)INFINITY) {
         for (uint32_t i = 0; i < frame->global_count; i++)
-            sum = add_global_light(sum, needs, s, prepared->lights[i]);
+            sum = add_global_light(sum, needs, s, prepared->lights[i], prepared->spots[i]);
         for (uint32_t i = frame->global_count; i < frame->light_count; i++)
-            sum = add_ranged_light(sum, needs, s, prepared->lights[i]);
+            sum = add_ranged_light(sum, needs, s, prepared->lights[i], prepared->spots[i]);
     }
     return radiance_of(frame, needs, in, material_of(needs, in), sum);
 }

@@ -34,12 +34,14 @@ def recipe():
 
 
 def write_lights(path, axes):
-    """The scene's lights without highlights, in places by `axes`."""
+    """The scene's lights without highlights, in places and directions by `axes`."""
     lights = json.loads(LIGHTS.read_text())
     lights["ambient"] = [0, 0, 0]
     for light in lights["lights"]:
         light["specular"] = 0
-        light["position"] = axes(*light["position"])
+        for field in ("position", "direction"):
+            if field in light:
+                light[field] = axes(*light[field])
     path.write_text(json.dumps(lights))
 
 

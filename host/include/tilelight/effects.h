@@ -33,6 +33,7 @@ typedef enum tl_cause_kind {
     X(TL_CAUSE_LINEAR_FROM, TL_CAUSE_OF_LIGHTS,                                            \
       "light with a linear falloff that begins at a distance")                             \
     X(TL_CAUSE_HIGHLIGHT, TL_CAUSE_OF_LIGHTS, "light with a specular lobe")                \
+    X(TL_CAUSE_CONE, TL_CAUSE_OF_LIGHTS, "spot light")                                     \
     X(TL_CAUSE_GLOSS, TL_CAUSE_OF_PLANES, "specular or metal-rough material")              \
     X(TL_CAUSE_METAL_ROUGH, TL_CAUSE_OF_PLANES, "metal-rough material")                    \
     X(TL_CAUSE_OCCLUSION, TL_CAUSE_OF_PLANES, "occlusion")                                 \
@@ -68,6 +69,7 @@ typedef enum tl_cause {
       TL_BY(TL_CAUSE_LINEAR), 0, "TL_FALLOFFS_USED")                                           \
     X(TL_EFFECT_LINEAR_FROM, "linear-from", "falloff from a distance on to the range",         \
       TL_BY(TL_CAUSE_LINEAR_FROM), 0, "TL_FALLOFFS_USED")                                      \
+    X(TL_EFFECT_SPOTS, "spots", "cones of light", TL_BY(TL_CAUSE_CONE), 0, "TL_SPOTS")         \
     X(TL_EFFECT_SPECULAR, "specular", "highlights",                                            \
       TL_BY(TL_CAUSE_HIGHLIGHT) | TL_BY(TL_CAUSE_GLOSS),                                       \
       TL_GROUP_PHONG | TL_GROUP_METAL_ROUGH, "TL_SPECULAR")                                    \
@@ -114,11 +116,12 @@ extern const tl_cause_row tl_cause_rows[TL_CAUSE_COUNT];
 uint32_t tl_effects_of(uint32_t causes);
 
 /* X(name, word on the command line, meaning) */
-#define TL_EFFECTS_MODES(X)                                                              \
-    X(TL_EFFECTS_AUTO, "auto", "what the frame calls for")                               \
-    X(TL_EFFECTS_ALL, "all",                                                             \
-      "also what adds nothing: every falloff, ambient light, highlights, occlusion and " \
-      "emission as far as the frame has planes for them, lights that give nothing")
+#define TL_EFFECTS_MODES(X)                                                               \
+    X(TL_EFFECTS_AUTO, "auto", "what the frame calls for")                                \
+    X(TL_EFFECTS_ALL, "all",                                                              \
+      "also what adds nothing: every falloff, cones, ambient light, highlights, "         \
+      "occlusion and emission as far as the frame has planes for them, lights that give " \
+      "nothing")
 
 typedef enum tl_effects_mode {
 #define TL_EFFECTS_MODE_NAME(name, word, meaning) name,
@@ -132,6 +135,7 @@ typedef enum tl_effects_mode {
 #define TL_IDLE_LIGHTS(X)                                                   \
     X(TL_IDLE_BLACK, "black", "has no colour or no intensity")              \
     X(TL_IDLE_SHORT, "too-short", "has a range whose square is 0 in float") \
+    X(TL_IDLE_NARROW, "too-narrow", "has a cone without width")             \
     X(TL_IDLE_NO_GLOSS, "no-gloss", "has a specular lobe alone, and nothing has highlights")
 
 typedef enum tl_idle_light {

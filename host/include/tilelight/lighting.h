@@ -136,8 +136,7 @@ typedef struct tl_lighting_counts {
     uint32_t tile_count, global_light_count, ranged_light_count;
     uint64_t list_length; /* (tile, light) pairs of all lists; global lights are not listed */
     uint64_t pair_count;  /* (pixel, light) pairs that the lists stand for, padding included */
-    uint32_t left_out_count; /* lights of types that lighting does not know yet */
-    uint32_t band_count;     /* the frame was lit in this many parts, to fit memory_limit */
+    uint32_t band_count;  /* the frame was lit in this many parts, to fit memory_limit */
     uint64_t device_bytes;   /* of the device's own buffers, at their largest */
     double device_cull_ms, device_shade_ms; /* from profiling events; 0 on the CPU paths */
     double first_kernel_s; /* when the first kernel began, on tl_seconds' clock; 0: none ran */
