@@ -6,36 +6,41 @@
 #include "reference.h"
 #include "tilelight/layouts.h"
 
-static void every_width_agrees(tl_device *device,
-                               tl_precision precision,
-                               uint32_t present,
-                               enum tl_shading_model model,
-                               int spots)
+/* What is tried. Metal, models and spots do not know of projections, nor spots of models: each is tried once. */
+typedef struct bits_case {
+    tl_precision precision;
+    uint32_t present;
+    enum tl_shading_model model;
+    int spots;
+    int projection_count; /* perspective first */
+    size_t width_count;   /* of `widths`, from the first on */
+} bits_case;
+
+static const uint32_t widths[] = {8, 1, 4, 16};
+
+static void every_width_agrees(tl_device *device, const bits_case *of)
 {
-    static const uint32_t widths[] = {1, 4, 8, 16};
     const tl_arithmetic arithmetic =
-        precision == TL_PRECISION_DOUBLE ? TL_TWIN_DOUBLE : TL_TWIN_FLOAT;
-    /* Models and spots do not know of projections: one of them has both. */
-    const int projections = model == TL_MODEL_PHONG && !spots ? 2 : 1;
-    for (int projection = 0; projection < projections; projection++) {
+        of->precision == TL_PRECISION_DOUBLE ? TL_TWIN_DOUBLE : TL_TWIN_FLOAT;
+    for (int projection = 0; projection < of->projection_count; projection++) {
         tl_light_set lights = {0};
-        tl_gbuffer *g = hard_frame((tl_projection)projection, present, &lights);
+        tl_gbuffer *g = hard_frame((tl_projection)projection, of->present, &lights);
         tl_image *want = image_like(g), *got = image_like(g);
         tl_prepared prepared = {0};
         tl_error err;
-        lights.model = model;
-        if (spots)
+        lights.model = of->model;
+        if (of->spots)
             make_hard_spots(&lights);
         ASSERT_OK(tl_prepare(g, &lights, &(tl_prepare_options){.tile_size = 16, .box_count = 1},
                              NULL, &prepared, &err),
                   err);
         tl_reference_light(&prepared, g, arithmetic, want);
-        for (size_t w = 0; w < COUNT_OF(widths); w++) {
+        for (size_t w = 0; w < of->width_count; w++) {
             tl_lighting_options options = tl_lighting_options_default();
             char what[64];
-            options.precision = precision;
+            options.precision = of->precision;
             options.vector_width = widths[w];
-            snprintf(what, sizeof what, "precision %d, width %u, projection %d", precision,
+            snprintf(what, sizeof what, "precision %d, width %u, projection %d", of->precision,
                      widths[w], projection);
             light_frame(device, &options, g, &lights, got);
             assert_same_image(got, want, what);
@@ -50,41 +55,54 @@ static void every_width_agrees(tl_device *device,
 
 static void every_width_agrees_in_float(void **state)
 {
-    every_width_agrees(*state, TL_PRECISION_FLOAT,
-                       TL_GROUP_BASE | TL_GROUP_PHONG | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE,
-                       TL_MODEL_PHONG, 0);
+    every_width_agrees(*state, &(bits_case){.precision = TL_PRECISION_FLOAT,
+                                            .present = TL_GROUP_BASE | TL_GROUP_PHONG |
+                                                       TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE,
+                                            .projection_count = 2,
+                                            .width_count = COUNT_OF(widths)});
 }
 
 static void every_width_agrees_by_every_model(void **state)
 {
     for (int model = TL_MODEL_PHONG + 1; model < TL_MODEL_COUNT; model++)
-        every_width_agrees(*state, TL_PRECISION_FLOAT, TL_GROUP_BASE | TL_GROUP_PHONG,
-                           (enum tl_shading_model)model, 0);
+        every_width_agrees(*state, &(bits_case){.precision = TL_PRECISION_FLOAT,
+                                                .present = TL_GROUP_BASE | TL_GROUP_PHONG,
+                                                .model = (enum tl_shading_model)model,
+                                                .projection_count = 1,
+                                                .width_count = COUNT_OF(widths)});
 }
 
 static void every_width_agrees_on_metal(void **state)
 {
-    every_width_agrees(*state, TL_PRECISION_FLOAT, TL_GROUP_BASE | TL_GROUP_METAL_ROUGH,
-                       TL_MODEL_PHONG, 0);
+    every_width_agrees(*state, &(bits_case){.precision = TL_PRECISION_FLOAT,
+                                            .present = TL_GROUP_BASE | TL_GROUP_METAL_ROUGH,
+                                            .projection_count = 1,
+                                            .width_count = COUNT_OF(widths)});
 }
 
 static void every_width_agrees_on_spots(void **state)
 {
     const tl_device_info info = tl_device_describe(*state);
-    for (int model = 0; model < TL_MODEL_COUNT; model++)
-        every_width_agrees(*state, TL_PRECISION_FLOAT, TL_GROUP_BASE | TL_GROUP_PHONG,
-                           (enum tl_shading_model)model, 1);
+    bits_case of = {.precision = TL_PRECISION_FLOAT,
+                    .present = TL_GROUP_BASE | TL_GROUP_PHONG,
+                    .spots = 1,
+                    .projection_count = 1,
+                    .width_count = COUNT_OF(widths)};
+    every_width_agrees(*state, &of);
+    of.precision = TL_PRECISION_DOUBLE;
+    of.width_count = 1;
     if (info.has_double)
-        every_width_agrees(*state, TL_PRECISION_DOUBLE, TL_GROUP_BASE | TL_GROUP_PHONG,
-                           TL_MODEL_PHONG, 1);
+        every_width_agrees(*state, &of);
 }
 
 static void every_width_agrees_in_double(void **state)
 {
     const tl_device_info info = tl_device_describe(*state);
     if (info.has_double)
-        every_width_agrees(*state, TL_PRECISION_DOUBLE, TL_GROUP_BASE | TL_GROUP_PHONG,
-                           TL_MODEL_PHONG, 0);
+        every_width_agrees(*state, &(bits_case){.precision = TL_PRECISION_DOUBLE,
+                                                .present = TL_GROUP_BASE | TL_GROUP_PHONG,
+                                                .projection_count = 2,
+                                                .width_count = COUNT_OF(widths)});
 }
 
 /* Hard pixels in a layout whose specular colours are grey, lit by lights of one colour each. */
@@ -131,7 +149,6 @@ static void light_with(tl_device *device,
 
 static void every_width_agrees_where_lobes_share_a_colour(void **state)
 {
-    static const uint32_t widths[] = {1, 4, 8, 16};
     tl_light_set lights = {0};
     tl_gbuffer *g = one_color_frame(TL_PERSPECTIVE, &lights);
     tl_image *want = image_like(g), *got = image_like(g);
