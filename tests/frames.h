@@ -14,6 +14,21 @@ static inline float uniform(uint32_t *seed, float low, float high) /* xorshift32
     return low + (high - low) * (float)(*seed >> 8) * 0x1p-24f;
 }
 
+/* Of length 1. */
+static inline void random_direction(uint32_t *seed, double out[3])
+{
+    double length2;
+    do {
+        length2 = 0.0;
+        for (int i = 0; i < 3; i++) {
+            out[i] = (double)uniform(seed, -1.0f, 1.0f);
+            length2 += out[i] * out[i];
+        }
+    } while (length2 > 1.0 || length2 < 0.01);
+    for (int i = 0; i < 3; i++)
+        out[i] /= sqrt(length2);
+}
+
 /* Turned and moved, so that world and view space differ in every axis. */
 static inline tl_camera camera_of(uint32_t width, uint32_t height, tl_projection projection)
 {

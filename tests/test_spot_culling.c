@@ -14,20 +14,6 @@ static const float half_angles[] = {3e-4f,       0.001f, 0.01f, 0.1f,  0.5f,
 
 enum { CASES_PER_ANGLE = 60000 };
 
-static void random_direction(uint32_t *seed, double out[3])
-{
-    double length2;
-    do {
-        length2 = 0.0;
-        for (int i = 0; i < 3; i++) {
-            out[i] = (double)uniform(seed, -1.0f, 1.0f);
-            length2 += out[i] * out[i];
-        }
-    } while (length2 > 1.0 || length2 < 0.01);
-    for (int i = 0; i < 3; i++)
-        out[i] /= sqrt(length2);
-}
-
 /* Of length 1, `angle` away from the direction `from`. */
 static void turned(const double from[3], double angle, uint32_t *seed, double out[3])
 {

@@ -85,20 +85,6 @@ static void assert_in_rect(tl_tile_rect rect, size_t i, int tile_x, int tile_y)
     assert_true(rect.x0 >= 0 && rect.y0 >= 0 && rect.x1 <= TILES_X && rect.y1 <= TILES_Y);
 }
 
-static void random_direction(uint32_t *seed, double out[3])
-{
-    double length2;
-    do {
-        length2 = 0.0;
-        for (int i = 0; i < 3; i++) {
-            out[i] = (double)uniform(seed, -1.0f, 1.0f);
-            length2 += out[i] * out[i];
-        }
-    } while (length2 > 1.0 || length2 < 0.01);
-    for (int i = 0; i < 3; i++)
-        out[i] /= sqrt(length2);
-}
-
 /* A spot that lights the position, which is within its range and at the edge of its cone as a rule. */
 static tl_view_spot lighting_spot(const double at[3],
                                   uint32_t *seed,

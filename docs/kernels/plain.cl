@@ -1,10 +1,17 @@
-// A whole shading kernel that stands on the interface alone: the structs tl_frame, tl_view_light and tl_view_spot
-// and the numbers of the planes. One work-item shades one tile. It is meant to be read, not to be fast.
+// A whole shading kernel that stands on the interface alone: the structs tl_frame, tl_view_light and
+// tl_view_spot and the numbers of the planes. One work-item shades one tile. It is meant to be read, not
+// to be fast.
 //
 //     tilelight check --kernel plain.cl --entry plain
 
+float3 vector_of(const float *numbers)
+{
+    return (float3)(numbers[0], numbers[1], numbers[2]);
+}
+
 // Plane `plane` of this frame at offset `at`, or what stands for it where the frame has none.
-float plane_at(__global const float *planes, size_t plane_size, int plane, size_t at, float otherwise)
+float plane_at(__global const float *planes, size_t plane_size, int plane, size_t at,
+               float otherwise)
 {
     if (!(TL_PRESENT & (1u << plane)))
         return otherwise;
@@ -21,10 +28,9 @@ float3 three_at(__global const float *planes, size_t plane_size, int first, size
 // World to view: the upper left 3 x 3 of the matrix. A normal may have any length, and none.
 float3 unit_view_normal(const tl_frame *frame, float3 world)
 {
-    const float3 n = (float3)(
-        dot((float3)(frame->view_from_world[0][0], frame->view_from_world[0][1], frame->view_from_world[0][2]), world),
-        dot((float3)(frame->view_from_world[1][0], frame->view_from_world[1][1], frame->view_from_world[1][2]), world),
-        dot((float3)(frame->view_from_world[2][0], frame->view_from_world[2][1], frame->view_from_world[2][2]), world));
+    const float3 n = (float3)(dot(vector_of(frame->view_from_world[0]), world),
+                              dot(vector_of(frame->view_from_world[1]), world),
+                              dot(vector_of(frame->view_from_world[2]), world));
     const float length2 = dot(n, n);
     return length2 > 0.0f ? n / sqrt(length2) : (float3)(0.0f);
 }
@@ -57,10 +63,11 @@ float weight_at(tl_view_light light, float distance)
     }
 }
 
-// What the cone of a spot light lets through towards a surface from which l leads to it, d metres long.
+// What the cone of a spot light lets through towards a surface from which l leads to it, d metres
+// long.
 float cone_at(tl_view_spot spot, float3 l, float d)
 {
-    const float cosine = dot((float3)(spot.axis[0], spot.axis[1], spot.axis[2]), l) / d;
+    const float cosine = dot(vector_of(spot.axis), l) / d;
     const float share = clamp((cosine - spot.least_cos) * spot.scale, 0.0f, 1.0f);
     return share * share;
 }
@@ -77,13 +84,14 @@ __kernel void plain(const tl_frame frame,
     const uint column0 = tile % frame.tiles_x * size, row0 = tile / frame.tiles_x * size;
     const size_t plane_size = (size_t)frame.rows * frame.pitch;
     const uint listed = ends[tile] - starts[tile];
-    __global const tl_view_spot *spots = (__global const tl_view_spot *)(lights + frame.light_count);
+    __global const tl_view_spot *spots =
+        (__global const tl_view_spot *)(lights + frame.light_count);
 
     for (uint i = 0; i < size * size; i++) {
         const uint column = column0 + i % size, row = row0 + i / size;
         const size_t at = (size_t)(frame.buffer_row + row) * frame.pitch + column;
         const float depth = plane_at(planes, plane_size, TL_DEPTH, at, 0.0f);
-        float3 out = (float3)(frame.sky[0], frame.sky[1], frame.sky[2]);
+        float3 out = vector_of(frame.sky);
 
         if (depth < INFINITY) {
             // Where the surface is, and which way it and the eye are.
@@ -91,8 +99,10 @@ __kernel void plain(const tl_frame frame,
             const float y = frame.rays.y0 + (float)(frame.first_row + row) * frame.rays.dy;
             const float3 point = TL_ORTHOGRAPHIC ? (float3)(x, y, -depth)
                                                  : (float3)(x * depth, y * depth, -depth);
-            const float3 eye = TL_ORTHOGRAPHIC ? (float3)(0.0f, 0.0f, 1.0f) : -point / sqrt(dot(point, point));
-            const float3 n = unit_view_normal(&frame, three_at(planes, plane_size, TL_NORMAL_X, at));
+            const float3 eye = TL_ORTHOGRAPHIC ? (float3)(0.0f, 0.0f, 1.0f)
+                                               : -point / sqrt(dot(point, point));
+            const float3 n =
+                unit_view_normal(&frame, three_at(planes, plane_size, TL_NORMAL_X, at));
 
             // What it is made of: Phong as stored, or mapped from metallic and roughness.
             const float3 albedo = three_at(planes, plane_size, TL_ALBEDO_R, at);
@@ -112,15 +122,14 @@ __kernel void plain(const tl_frame frame,
 
             // Ambient light and emission, then light after light: first those that reach
             // everything, which no list has.
-            out = albedo * (float3)(frame.ambient[0], frame.ambient[1], frame.ambient[2]) *
+            out = albedo * vector_of(frame.ambient) *
                       plane_at(planes, plane_size, TL_OCCLUSION, at, 1.0f) +
                   three_at(planes, plane_size, TL_EMISSIVE_R, at);
             for (uint k = 0; k < frame.global_count + listed; k++) {
                 const bool global_light = k < frame.global_count;
                 const uint index = global_light ? k : list[starts[tile] + k - frame.global_count];
                 const tl_view_light light = lights[index];
-                const float3 position =
-                    (float3)(light.position[0], light.position[1], light.position[2]);
+                const float3 position = vector_of(light.position);
                 const float3 l = light.falloff == TL_FADE_NONE ? position : position - point;
                 const float d2 = dot(l, l), d = sqrt(d2);
                 if (!(d2 > 1e-24f) || (!global_light && !(d2 < light.range2)))
@@ -134,8 +143,8 @@ __kernel void plain(const tl_frame frame,
                 float lobe = TL_SPECULAR ? specular_lobe(n, l / d + eye, exponent) : 0.0f;
                 if (normalized)
                     lobe *= n_dot_l;
-                out += diffuse * (float3)(light.diffuse[0], light.diffuse[1], light.diffuse[2]) * (weight * n_dot_l);
-                out += specular * (float3)(light.specular[0], light.specular[1], light.specular[2]) * (weight * lobe);
+                out += diffuse * vector_of(light.diffuse) * (weight * n_dot_l);
+                out += specular * vector_of(light.specular) * (weight * lobe);
             }
         }
         radiance[at] = out.x;
