@@ -81,6 +81,24 @@ static void others_take_them(void **state)
                0, "at (1, 2, 3) m", "--eye and --target");
 }
 
+/* A terminal would obey the escape sequence. */
+static void names_cannot_steer_a_terminal(void **state)
+{
+    static foreign_file file;
+    static foreign_frame frame;
+    (void)state;
+    enter_empty_folder("command-import-names");
+    foreign_fill(&frame);
+    foreign_describe(&file, &frame, EXR_PIXEL_FLOAT);
+    file.parts[0].name = "p\x1b[2J";
+    foreign_add(&file.parts[0], "c\x1b[2J\n", EXR_PIXEL_UINT, frame.depth);
+    foreign_write(&file, "steering.exr");
+    expect_run("$T info steering.exr", 0, "part 0      \"p?[2J\", ", "");
+    expect_run("$T info steering.exr", 0, "\nc?[2J?                                   uint", "");
+    expect_run("$T convert steering.exr --fov 60 --map depth=\"$(printf 'c\\033[2J')\" -o x.exr",
+               3, "", "\"c?[2J\"");
+}
+
 static void info_says_what_is_there(void **state)
 {
     (void)state;
@@ -90,7 +108,8 @@ static void info_says_what_is_there(void **state)
                "");
     expect_run("$T info all.exr --fov 60", 0, "missing     nothing that lighting needs", "");
     expect_run("$T info depth.exr", 0, "holds normals", "");
-    expect_run("printf 'Pf\\n1 1\\n-1\\nabcd' > d.pfm && $T info d.pfm", 0, "PFM of another program\n", "");
+    expect_run("printf 'Pf\\n1 1\\n-1\\nabcd' > d.pfm && $T info d.pfm", 0,
+               "PFM of another program\n", "");
     expect_run("$T info d.pfm --json", 0, "\"size\": null", "");
     const program_run *run = expect_run("$T info all.exr --json", 0, "", "");
     json_t *report = json_loads(run->out, 0, NULL);
@@ -172,6 +191,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(light_takes_them),    cmocka_unit_test(own_files_may_be_mapped),
         cmocka_unit_test(others_take_them),    cmocka_unit_test(info_says_what_is_there),
+        cmocka_unit_test(names_cannot_steer_a_terminal),
         cmocka_unit_test(counts_are_reported), cmocka_unit_test(wrong_use_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

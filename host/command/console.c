@@ -1,6 +1,8 @@
 #define _POSIX_C_SOURCE 200809L
 #include "console.h"
 
+#include "printable.h"
+
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
@@ -25,13 +27,25 @@ void console_stage(const char *stage)
     fflush(stderr);
 }
 
+/* Names of files may be in it; lines and tabs are those of a compiler's log. */
+static void print_sentence(const char *sentence)
+{
+    char shown[sizeof(tl_error)];
+    size_t length = 0;
+    for (; sentence[length] && length < sizeof shown - 1; length++) {
+        const char c = sentence[length];
+        shown[length] = c == '\n' || c == '\t' ? c : tl_printable(c);
+    }
+    shown[length] = '\0';
+    console_stage(NULL);
+    fprintf(stderr, "tilelight: %s\n", shown);
+}
+
 static void say(void *context, const char *sentence)
 {
     (void)context;
-    if (is_quiet)
-        return;
-    console_stage(NULL);
-    fprintf(stderr, "tilelight: %s\n", sentence);
+    if (!is_quiet)
+        print_sentence(sentence);
 }
 
 const tl_notices console_notices = {.say = say};
@@ -40,7 +54,7 @@ int console_finish(tl_status status, const tl_error *err)
 {
     console_stage(NULL);
     if (status != TL_OK)
-        fprintf(stderr, "tilelight: %s\n", err->message);
+        print_sentence(err->message);
     return tl_exit_status(status);
 }
 

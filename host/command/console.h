@@ -14,10 +14,11 @@ void console_quiet(bool quiet);
  * is a terminal. NULL clears the line. */
 void console_stage(const char *stage);
 
-/* For functions that take tl_notices: each sentence on a line, "tilelight: " in front. */
+/* For functions that take tl_notices: each sentence on a line, "tilelight: " in front, without
+ * what would steer the terminal. */
 extern const tl_notices console_notices;
 
-/* Says err->message and returns the exit status of `status`. TL_OK says nothing. */
+/* Says err->message likewise and returns the exit status of `status`. TL_OK says nothing. */
 int console_finish(tl_status status, const tl_error *err);
 
 /* Ends standard output: TL_ERR_WRITE where something written to it did not arrive. */

@@ -1,5 +1,7 @@
 #include "explain_text.h"
 
+#include "printable.h"
+
 #include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -66,8 +68,7 @@ static void add_name(char *text, const char *name)
     char *at = text + strlen(text);
     add(text, " \"%s\"", name);
     for (; *at; at++)
-        if ((unsigned char)*at < 0x20 || *at == 0x7f)
-            *at = '?';
+        *at = tl_printable(*at);
 }
 
 /* Of a light: its number, and its name where it has one. */

@@ -7,6 +7,7 @@
 #include "import/plan.h"
 #include "import_options.h"
 #include "json_values.h"
+#include "printable.h"
 #include "report_options.h"
 #include "tilelight/gbuffer_file.h"
 #include "tilelight/layouts.h"
@@ -84,6 +85,15 @@ info_values info_measure(
     else
         out.mean = sum / (double)(out.count - out.not_finite_count);
     return out;
+}
+
+void info_print_text(const char *text, int width)
+{
+    int printed = 0;
+    for (; text[printed]; printed++)
+        putchar(tl_printable(text[printed]));
+    for (; printed < width; printed++)
+        putchar(' ');
 }
 
 void info_print_values(const char *name, const info_values *v)

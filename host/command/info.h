@@ -18,6 +18,9 @@ typedef struct info_values {
 info_values info_measure(
     const float *plane, const float *depth, uint32_t width, uint32_t height, uint32_t pitch);
 
+/* A text of the file on standard output, without what would steer a terminal; at least `width` bytes. */
+void info_print_text(const char *text, int width);
+
 /* Text on standard output, or the same as JSON: NULL out of memory. */
 void info_print_values(const char *name, const info_values *values);
 json_t *info_values_json(const info_values *values);

@@ -26,7 +26,9 @@ static bool is_cropped(const tl_source_part *part)
 
 static void print_part(const tl_source_part *part, uint32_t index)
 {
-    printf("part %-6u \"%s\", %u x %u pixels", index, part->name, part->width, part->height);
+    printf("part %-6u \"", index);
+    info_print_text(part->name, 0);
+    printf("\", %u x %u pixels", part->width, part->height);
     if (part->storage[0])
         printf(", %s, %s", part->storage, part->compression);
     if (is_cropped(part))
@@ -34,8 +36,10 @@ static void print_part(const tl_source_part *part, uint32_t index)
                part->exr.data.min.x, part->exr.data.min.y, part->exr.data.max.x,
                part->exr.data.max.y, part->exr.display.min.x, part->exr.display.min.y,
                part->exr.display.max.x, part->exr.display.max.y);
-    if (part->refusal[0])
-        printf("\n            not read: %s", part->refusal);
+    if (part->refusal[0]) {
+        fputs("\n            not read: ", stdout);
+        info_print_text(part->refusal, 0);
+    }
     putchar('\n');
 }
 
@@ -67,7 +71,8 @@ void info_print_import(const tl_import_plan *plan)
     printf("%-40s %-5s %4s  %s\n", "channel", "type", "part", "taken as");
     for (uint32_t i = 0; i < source->channel_count; i++) {
         const tl_source_channel *c = &source->channels[i];
-        printf("%-40s %-5s %4u  %s\n", c->name, c->type, c->part,
+        info_print_text(c->name, 40);
+        printf(" %-5s %4u  %s\n", c->type, c->part,
                use_of(plan, i, &plane) ? tl_import_kinds[plane].word : "-");
     }
     for (tl_import_plane p = 0; p < TL_IMPORT_COUNT; p++) {
@@ -80,10 +85,9 @@ void info_print_import(const tl_import_plan *plan)
         printf("camera      lens by %s; %s%s\n", plan->camera.lens,
                plan->camera.is_placed ? "place by " : "its place is not said",
                plan->camera.place);
-    if (plan->missing[0])
-        printf("missing     %s\n", plan->missing);
-    else
-        puts("missing     nothing that lighting needs");
+    fputs("missing     ", stdout);
+    info_print_text(plan->missing[0] ? plan->missing : "nothing that lighting needs", 0);
+    putchar('\n');
 }
 
 static json_t *part_json(const tl_source_part *part)

@@ -29,20 +29,13 @@ static double degrees(double radians)
 
 /* --- text -------------------------------------------------------------------------------------- */
 
-/* A text of the file, without what steers a terminal. */
-static void print_plain(const char *text)
-{
-    for (; *text; text++)
-        putchar((unsigned char)*text < 0x20 || *text == 0x7f ? '?' : *text);
-}
-
 /* A name of the file in quotes; nothing for none. */
 static void print_name(const char *before, const char *name)
 {
     if (!name[0])
         return;
     printf("%s\"", before);
-    print_plain(name);
+    info_print_text(name, 0);
     putchar('"');
 }
 
@@ -166,7 +159,7 @@ static void print_animations(const tl_scene_info *of)
 static void print_extension(const tl_scene_extension *e)
 {
     fputs("extension   ", stdout);
-    print_plain(e->name);
+    info_print_text(e->name, 0);
     printf("%s, %s: %s\n", e->is_required ? ", required" : "", fate_words[e->fate], e->effect);
 }
 

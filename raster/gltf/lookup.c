@@ -1,6 +1,8 @@
 #define _POSIX_C_SOURCE 200809L
 #include "lookup.h"
 
+#include "printable.h"
+
 #include <stdio.h>
 #include <string.h>
 
@@ -15,7 +17,7 @@ tl_label tl_label_of(const char *kind, size_t index, const char *name)
         return label;
     }
     for (size_t i = 0; i < length; i++)
-        shown[i] = (unsigned char)name[i] < 0x20 || name[i] == 0x7f ? '?' : name[i];
+        shown[i] = tl_printable(name[i]);
     shown[length] = '\0';
     snprintf(label.text, sizeof label.text, "%s %zu (\"%s\")", kind, index, shown);
     return label;
