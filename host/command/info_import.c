@@ -4,7 +4,6 @@
 
 #include <inttypes.h>
 #include <stdio.h>
-#include <string.h>
 
 static const char *const space_words[TL_SPACE_COUNT] = {
 #define SPACE_WORD(name, word, meaning) [name] = word,
@@ -20,8 +19,7 @@ static bool has_size(const tl_import_plan *plan)
 
 static bool is_cropped(const tl_source_part *part)
 {
-    return part->exr.stream && part->width > 0 &&
-           memcmp(&part->exr.data, &part->exr.display, sizeof part->exr.data) != 0;
+    return part->exr.stream && part->width > 0 && !tl_exr_part_is_uncropped(&part->exr);
 }
 
 static void print_part(const tl_source_part *part, uint32_t index)

@@ -1,17 +1,16 @@
 #include "capture_read.h"
 
+#include "import/source.h"
 #include "ispc_read.h"
 #include "regular_file.h"
 #include "tilelight/gbuffer_file.h"
 #include "try.h"
 
 #include <stdio.h>
-#include <string.h>
 
 static bool is_exr(const tl_capture_start *start)
 {
-    static const unsigned char magic[] = {0x76, 0x2f, 0x31, 0x01};
-    return start->size >= sizeof magic && memcmp(start->bytes, magic, sizeof magic) == 0;
+    return tl_source_exr.recognises(start->bytes, start->size);
 }
 
 static bool is_picture(const tl_capture_start *start)

@@ -5,6 +5,7 @@
 #include "try.h"
 
 #include <inttypes.h>
+#include <stdarg.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
@@ -29,46 +30,59 @@ const char *tl_exr_storage_words(exr_storage_t storage)
     return kinds[storage];
 }
 
-/* "" or ", part "name"", for sentences that begin with the file. */
-static const char *where(const tl_exr_part *part, char *buffer, size_t size)
+/* Fails with a sentence that begins with the file, and the part where it has a name. */
+static TL_PRINTF_LIKE(4, 5) tl_status
+    refuse(const tl_exr_part *part, tl_status status, tl_error *err, const char *format, ...)
 {
-    buffer[0] = '\0';
-    if (part->name[0])
-        snprintf(buffer, size, " part \"%.64s\":", part->name);
-    return buffer;
+    const char *before = part->name[0] ? " part \"" : "", *behind = part->name[0] ? "\":" : "";
+    char reason[512];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(reason, sizeof reason, format, args);
+    va_end(args);
+    return tl_fail(err, status, "%s:%s%.64s%s %s", part->stream->path, before, part->name,
+                   behind, reason);
 }
 
 static tl_status read_storage(tl_exr_part *part, tl_error *err)
 {
     tl_status status = TL_OK;
-    char at[96];
     const exr_context_t context = part->stream->context;
     TRY(tl_exr_check(part->stream, exr_get_storage(context, part->index, &part->storage), err));
     if (part->storage != EXR_STORAGE_SCANLINE && part->storage != EXR_STORAGE_TILED)
-        TRY(tl_fail(err, TL_ERR_UNSUPPORTED,
-                    "%s:%s is stored as %s; save it as plain scanlines", part->stream->path,
-                    where(part, at, sizeof at), tl_exr_storage_words(part->storage)));
+        TRY(refuse(part, TL_ERR_UNSUPPORTED, err, "is stored as %s; save it as plain scanlines",
+                   tl_exr_storage_words(part->storage)));
 done:
     return status;
+}
+
+tl_status tl_exr_part_extent(const tl_exr_part *part,
+                             const exr_attr_box2i_t *window,
+                             uint32_t *width,
+                             uint32_t *height,
+                             tl_error *err)
+{
+    const int64_t across = (int64_t)window->max.x - window->min.x + 1;
+    const int64_t down = (int64_t)window->max.y - window->min.y + 1;
+    if (across < 1 || across > TL_MAX_EXTENT || down < 1 || down > TL_MAX_EXTENT)
+        return refuse(part, TL_ERR_FORMAT, err,
+                      "its %s window is %" PRId64 " x %" PRId64
+                      " pixels; 1 to %d per side are read",
+                      window == &part->data ? "data" : "display", across, down, TL_MAX_EXTENT);
+    *width = (uint32_t)across;
+    *height = (uint32_t)down;
+    return TL_OK;
 }
 
 static tl_status read_windows(tl_exr_part *part, tl_error *err)
 {
     tl_status status = TL_OK;
-    char at[96];
     tl_exr_stream *stream = part->stream;
     TRY(tl_exr_check(stream, exr_get_data_window(stream->context, part->index, &part->data),
                      err));
     TRY(tl_exr_check(
         stream, exr_get_display_window(stream->context, part->index, &part->display), err));
-    const int64_t width = (int64_t)part->data.max.x - part->data.min.x + 1;
-    const int64_t height = (int64_t)part->data.max.y - part->data.min.y + 1;
-    if (width < 1 || width > TL_MAX_EXTENT || height < 1 || height > TL_MAX_EXTENT)
-        TRY(tl_fail(err, TL_ERR_FORMAT,
-                    "%s:%s is %" PRId64 " x %" PRId64 " pixels; 1 to %d per side are read",
-                    stream->path, where(part, at, sizeof at), width, height, TL_MAX_EXTENT));
-    part->width = (uint32_t)width;
-    part->height = (uint32_t)height;
+    TRY(tl_exr_part_extent(part, &part->data, &part->width, &part->height, err));
 done:
     return status;
 }
@@ -76,23 +90,21 @@ done:
 static tl_status read_channels(tl_exr_part *part, tl_error *err)
 {
     tl_status status = TL_OK;
-    char at[96];
     tl_exr_stream *stream = part->stream;
     TRY(tl_exr_check(stream, exr_get_channels(stream->context, part->index, &part->channels),
                      err));
     const int count = part->channels->num_channels;
     if (count < 1 || count > MAX_CHANNELS)
-        TRY(tl_fail(err, TL_ERR_FORMAT, "%s:%s has %d channels; 1 to %d are read", stream->path,
-                    where(part, at, sizeof at), count, MAX_CHANNELS));
+        TRY(refuse(part, TL_ERR_FORMAT, err, "has %d channels; 1 to %d are read", count,
+                   MAX_CHANNELS));
     part->pixel_size = 0;
     for (int i = 0; i < count; i++) {
         const exr_attr_chlist_entry_t *channel = &part->channels->entries[i];
         if (channel->x_sampling != 1 || channel->y_sampling != 1)
-            TRY(tl_fail(err, TL_ERR_UNSUPPORTED,
-                        "%s:%s channel \"%s\" has a value for every %d x %d pixels only; save "
-                        "it at full resolution",
-                        stream->path, where(part, at, sizeof at), channel->name.str,
-                        channel->x_sampling, channel->y_sampling));
+            TRY(refuse(part, TL_ERR_UNSUPPORTED, err,
+                       "channel \"%s\" has a value for every %d x %d pixels only; save it at "
+                       "full resolution",
+                       channel->name.str, channel->x_sampling, channel->y_sampling));
         part->pixel_size += channel->pixel_type == EXR_PIXEL_HALF ? 2 : 4;
     }
 done:
@@ -102,14 +114,12 @@ done:
 static tl_status read_compression(tl_exr_part *part, tl_error *err)
 {
     tl_status status = TL_OK;
-    char at[96];
     tl_exr_stream *stream = part->stream;
     TRY(tl_exr_check(
         stream, exr_get_compression(stream->context, part->index, &part->compression), err));
     if (part->compression == EXR_COMPRESSION_DWAA || part->compression == EXR_COMPRESSION_DWAB)
-        TRY(tl_fail(err, TL_ERR_UNSUPPORTED,
-                    "%s:%s DWA compression cannot be read; save it with zip or none",
-                    stream->path, where(part, at, sizeof at)));
+        TRY(refuse(part, TL_ERR_UNSUPPORTED, err,
+                   "DWA compression cannot be read; save it with zip or none"));
 done:
     return status;
 }
@@ -137,7 +147,6 @@ done:
 static tl_status check_length(tl_exr_part *part, tl_error *err)
 {
     tl_status status = TL_OK;
-    char at[96];
     tl_exr_stream *stream = part->stream;
     const int is_tiled = part->storage == EXR_STORAGE_TILED;
     int chunk_count;
@@ -146,24 +155,23 @@ static tl_status check_length(tl_exr_part *part, tl_error *err)
                      err));
     const int64_t tile_width = part->chunk_width, tile_height = part->chunk_height;
     if (tile_width < 1 || tile_height < 1)
-        TRY(tl_fail(err, TL_ERR_FORMAT, "%s:%s is damaged: its tiles have no size",
-                    stream->path, where(part, at, sizeof at)));
+        TRY(refuse(part, TL_ERR_FORMAT, err, "is damaged: its tiles have no size"));
     part->chunks_x = (int)(((int64_t)part->width + tile_width - 1) / tile_width);
     part->chunks_y = (int)(((int64_t)part->height + tile_height - 1) / tile_height);
     const int64_t wanted = (int64_t)part->chunks_x * part->chunks_y;
     if (is_tiled ? chunk_count < wanted : chunk_count != wanted)
-        TRY(tl_fail(err, TL_ERR_FORMAT, "%s:%s is damaged: %d chunks for %u rows", stream->path,
-                    where(part, at, sizeof at), chunk_count, part->height));
+        TRY(refuse(part, TL_ERR_FORMAT, err, "is damaged: %d chunks for %u rows", chunk_count,
+                   part->height));
     /* An offset in the table, then place and size of a chunk: 8, and 8 or more. */
     const uint64_t table = 16 * (uint64_t)chunk_count;
     const uint64_t pixels = part->compression == EXR_COMPRESSION_NONE
                                 ? part->pixel_size * part->width * part->height
                                 : 0;
     if (part->file_size < table + pixels)
-        TRY(tl_fail(err, TL_ERR_FORMAT,
-                    "%s:%s is cut short: %" PRIu64 " bytes, where its header promises %" PRIu64
-                    " at least",
-                    stream->path, where(part, at, sizeof at), part->file_size, table + pixels));
+        TRY(refuse(part, TL_ERR_FORMAT, err,
+                   "is cut short: %" PRIu64 " bytes, where its header promises %" PRIu64
+                   " at least",
+                   part->file_size, table + pixels));
 done:
     return status;
 }
@@ -207,6 +215,21 @@ const exr_attribute_t *tl_exr_part_attribute(const tl_exr_part *part, const char
             strcmp(attribute->name, name) == 0)
             return attribute;
     return NULL;
+}
+
+bool tl_exr_part_is_uncropped(const tl_exr_part *part)
+{
+    return memcmp(&part->data, &part->display, sizeof part->data) == 0;
+}
+
+bool tl_exr_part_overlap(const tl_exr_part *part, exr_attr_box2i_t *out)
+{
+    const exr_attr_box2i_t *a = &part->data, *b = &part->display;
+    out->min.x = a->min.x > b->min.x ? a->min.x : b->min.x;
+    out->min.y = a->min.y > b->min.y ? a->min.y : b->min.y;
+    out->max.x = a->max.x < b->max.x ? a->max.x : b->max.x;
+    out->max.y = a->max.y < b->max.y ? a->max.y : b->max.y;
+    return out->min.x <= out->max.x && out->min.y <= out->max.y;
 }
 
 /* What the decoding threads share. */

@@ -1,5 +1,5 @@
-/* One part of an open OpenEXR file: its pictures as planes, on all threads. Scanlines, or tiles of which
- * the first level is read. */
+/* One part of an open OpenEXR file: its pictures as planes, on all threads. Scanlines, or tiles of
+ * which the first level is read. */
 #ifndef TL_EXR_PART_H
 #define TL_EXR_PART_H
 
@@ -28,8 +28,8 @@ typedef struct tl_exr_part {
 /* A channel and where it goes. */
 typedef struct tl_exr_target {
     const char *channel;
-    exr_pixel_type_t
-        held; /* in memory: the channel's type, bit for bit; or float, to which it is converted */
+    /* In memory: the channel's type, bit for bit; or float, to which it is converted. */
+    exr_pixel_type_t held;
     void *plane; /* [height][pitch], of the data window */
 } tl_exr_target;
 
@@ -39,6 +39,20 @@ typedef struct tl_exr_target {
  * then is in *out: name, storage, windows, channels. */
 tl_status tl_exr_part_open(
     tl_exr_stream *stream, uint64_t file_size, int index, tl_exr_part *out, tl_error *err);
+
+/* The extent of its data or display window, px. Fails with TL_ERR_FORMAT unless that is 1 to
+ * TL_MAX_EXTENT per side. */
+tl_status tl_exr_part_extent(const tl_exr_part *part,
+                             const exr_attr_box2i_t *window,
+                             uint32_t *width,
+                             uint32_t *height,
+                             tl_error *err);
+
+/* Whether the data window is the display window. */
+bool tl_exr_part_is_uncropped(const tl_exr_part *part);
+
+/* What both windows cover; false: nothing. */
+bool tl_exr_part_overlap(const tl_exr_part *part, exr_attr_box2i_t *out);
 
 /* NULL where there is none. */
 const exr_attr_chlist_entry_t *tl_exr_part_channel(const tl_exr_part *part, const char *name);

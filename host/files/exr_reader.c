@@ -3,12 +3,10 @@
 #include "size_limit.h"
 #include "try.h"
 
-#include <string.h>
-
 static tl_status check_windows(const tl_exr_reader *reader, tl_error *err)
 {
     const exr_attr_box2i_t *data = &reader->part.data, *display = &reader->part.display;
-    if (memcmp(data, display, sizeof *data) == 0 && data->min.x == 0 && data->min.y == 0)
+    if (tl_exr_part_is_uncropped(&reader->part) && data->min.x == 0 && data->min.y == 0)
         return TL_OK;
     return tl_fail(err, TL_ERR_UNSUPPORTED,
                    "%s: its data window (%d, %d) to (%d, %d) is not the whole display window "

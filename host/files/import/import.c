@@ -151,17 +151,14 @@ static uint64_t count_outside(const tl_import_plan *plan)
     const tl_import_plane plane =
         plan->bindings[TL_IMPORT_DEPTH].is_bound ? TL_IMPORT_DEPTH : TL_IMPORT_POSITION;
     const tl_source_part *part = tl_import_part(plan, plane);
-    const exr_attr_box2i_t *a = &part->exr.data, *b = &part->exr.display;
+    const uint64_t all = (uint64_t)plan->width * plan->height;
+    exr_attr_box2i_t both;
     if (!part->exr.stream)
         return 0;
-    const int64_t left = a->min.x > b->min.x ? a->min.x : b->min.x;
-    const int64_t right = a->max.x < b->max.x ? a->max.x : b->max.x;
-    const int64_t top = a->min.y > b->min.y ? a->min.y : b->min.y;
-    const int64_t bottom = a->max.y < b->max.y ? a->max.y : b->max.y;
-    const uint64_t all = (uint64_t)plan->width * plan->height;
-    return left <= right && top <= bottom
-               ? all - (uint64_t)(right - left + 1) * (uint64_t)(bottom - top + 1)
-               : all;
+    if (!tl_exr_part_overlap(&part->exr, &both))
+        return all;
+    return all - (uint64_t)((int64_t)both.max.x - both.min.x + 1) *
+                     (uint64_t)((int64_t)both.max.y - both.min.y + 1);
 }
 
 static void say_counts(const tl_importing *f, const char *name)

@@ -1,10 +1,8 @@
 /* OpenEXR files of any number of parts as sources. */
 #include "size_limit.h"
 #include "source.h"
-#include "tilelight/camera.h"
 #include "try.h"
 
-#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,38 +26,22 @@ static const char *compression_words(exr_compression_t compression)
     return (size_t)compression < count ? words[compression] : "unknown";
 }
 
-/* The frame is the display window. */
-static void find_frame(tl_source *source, tl_source_part *part)
-{
-    const exr_attr_box2i_t *display = &part->exr.display;
-    const int64_t width = (int64_t)display->max.x - display->min.x + 1;
-    const int64_t height = (int64_t)display->max.y - display->min.y + 1;
-    if (width < 1 || width > TL_MAX_EXTENT || height < 1 || height > TL_MAX_EXTENT) {
-        snprintf(part->refusal, sizeof part->refusal,
-                 "%.300s: its display window is %" PRId64 " x %" PRId64
-                 " pixels; 1 to %d per side are read",
-                 source->path, width, height, TL_MAX_EXTENT);
-        return;
-    }
-    part->width = (uint32_t)width;
-    part->height = (uint32_t)height;
-}
-
 static tl_status add_part(tl_source *source, int index, tl_error *err)
 {
     tl_status status = TL_OK;
     tl_error reason = {.status = TL_OK};
     tl_source_part part = {.name = ""};
-    const tl_status opened =
+    tl_status opened =
         tl_exr_part_open(&source->stream, source->file_size, index, &part.exr, &reason);
+    if (opened == TL_OK) /* the frame is the display window */
+        opened = tl_exr_part_extent(&part.exr, &part.exr.display, &part.width, &part.height,
+                                    &reason);
     if (opened != TL_OK && opened != TL_ERR_FORMAT && opened != TL_ERR_UNSUPPORTED)
         TRY(tl_fail(err, opened, "%s", reason.message));
     part.name = part.exr.name;
     part.storage = tl_exr_storage_words(part.exr.storage);
     part.compression = compression_words(part.exr.compression);
-    if (opened == TL_OK)
-        find_frame(source, &part);
-    else
+    if (opened != TL_OK)
         snprintf(part.refusal, sizeof part.refusal, "%.500s", reason.message);
     const uint32_t at = source->part_count;
     TRY(tl_source_add_part(source, &part, err));
@@ -94,20 +76,16 @@ done:
 /* What both windows cover, from a picture of the data window into one of the display window. */
 static void copy_overlap(const tl_exr_part *part, const float *from, float *to, size_t pitch)
 {
-    const exr_attr_box2i_t *data = &part->data, *display = &part->display;
-    const int64_t left = data->min.x > display->min.x ? data->min.x : display->min.x;
-    const int64_t right = data->max.x < display->max.x ? data->max.x : display->max.x;
-    const int64_t top = data->min.y > display->min.y ? data->min.y : display->min.y;
-    const int64_t bottom = data->max.y < display->max.y ? data->max.y : display->max.y;
-    for (int64_t y = top; y <= bottom && left <= right; y++)
-        memcpy(to + (size_t)(y - display->min.y) * pitch + (size_t)(left - display->min.x),
-               from + (size_t)(y - data->min.y) * part->width + (size_t)(left - data->min.x),
-               (size_t)(right - left + 1) * sizeof *to);
-}
-
-static bool is_uncropped(const tl_exr_part *part)
-{
-    return memcmp(&part->data, &part->display, sizeof part->data) == 0;
+    const exr_attr_v2i_t data = part->data.min, display = part->display.min;
+    exr_attr_box2i_t both;
+    if (!tl_exr_part_overlap(part, &both))
+        return;
+    const size_t width = (size_t)((int64_t)both.max.x - both.min.x + 1);
+    for (int64_t y = both.min.y; y <= both.max.y; y++)
+        memcpy(to + (size_t)(y - display.y) * pitch + (size_t)((int64_t)both.min.x - display.x),
+               from + (size_t)(y - data.y) * part->width +
+                   (size_t)((int64_t)both.min.x - data.x),
+               width * sizeof *to);
 }
 
 static tl_status read_exr(tl_source *source,
@@ -121,7 +99,7 @@ static tl_status read_exr(tl_source *source,
     tl_exr_target targets[TL_MAX_READ] = {{NULL, EXR_PIXEL_FLOAT, NULL}};
     float *cropped[TL_MAX_READ] = {NULL};
     const tl_exr_part *part = &source->parts[source->channels[indices[0]].part].exr;
-    const bool is_direct = is_uncropped(part);
+    const bool is_direct = tl_exr_part_is_uncropped(part);
     const size_t pixels = (size_t)part->width * part->height;
     if (!is_direct)
         TRY(tl_check_decoded_size(source->path, source->file_size,
