@@ -27,12 +27,10 @@ enum {
 #define WORD(name, word, meaning) [name] = word,
 #define WORD_AND_MEANING(name, word, meaning) " " word ": " meaning "."
 #define MAP_WORD(name, word, numbers, plane, meaning) " " word
-static const char *const kind_words[] = {TL_DEPTH_KINDS(WORD)};
-static const char *const space_words[] = {TL_IMPORT_SPACES(WORD)};
 static const char *const edge_words[] = {TL_EDGE_RULES(WORD)};
 static const char *const range_words[] = {"signed", "unit"};
-static const value_words kinds = {"kind", "kinds", kind_words, TL_DEPTH_KIND_COUNT};
-static const value_words spaces = {"space", "spaces", space_words, TL_SPACE_COUNT};
+static const value_words kinds = {"kind", "kinds", tl_depth_kind_words, TL_DEPTH_KIND_COUNT};
+static const value_words spaces = {"space", "spaces", tl_import_space_words, TL_SPACE_COUNT};
 static const value_words edges = {"rule", "rules", edge_words, TL_EDGE_RULE_COUNT};
 static const value_words ranges = {"range", "ranges", range_words, 2};
 

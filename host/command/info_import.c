@@ -5,12 +5,6 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-static const char *const space_words[TL_SPACE_COUNT] = {
-#define SPACE_WORD(name, word, meaning) [name] = word,
-    TL_IMPORT_SPACES(SPACE_WORD)
-#undef SPACE_WORD
-};
-
 /* Not where no plane was found: parts may differ. */
 static bool has_size(const tl_import_plan *plan)
 {
@@ -77,7 +71,7 @@ void info_print_import(const tl_import_plan *plan)
         const tl_alias *alias = plan->bindings[p].alias;
         if (plan->bindings[p].is_bound && alias && alias->space != TL_SPACE_AUTO)
             printf("%-11s of the space \"%s\", as %s writes \"%s\"\n", tl_import_kinds[p].word,
-                   space_words[alias->space], alias->program, alias->name);
+                   tl_import_space_words[alias->space], alias->program, alias->name);
     }
     if (!plan->camera.missing[0] && has_size(plan))
         printf("camera      lens by %s; %s%s\n", plan->camera.lens,

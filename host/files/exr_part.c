@@ -201,7 +201,10 @@ const exr_attr_chlist_entry_t *tl_exr_part_channel(const tl_exr_part *part, cons
     return NULL;
 }
 
-const exr_attribute_t *tl_exr_part_attribute(const tl_exr_part *part, const char *name)
+/* The first whose name begins with these `length` characters. */
+static const exr_attribute_t *find_attribute(const tl_exr_part *part,
+                                             const char *start,
+                                             size_t length)
 {
     const exr_context_t context = part->stream->context;
     const exr_attribute_t *attribute;
@@ -212,9 +215,19 @@ const exr_attribute_t *tl_exr_part_attribute(const tl_exr_part *part, const char
     for (int i = 0; i < count; i++)
         if (exr_get_attribute_by_index(context, part->index, EXR_ATTR_LIST_FILE_ORDER, i,
                                        &attribute) == EXR_ERR_SUCCESS &&
-            strcmp(attribute->name, name) == 0)
+            strncmp(attribute->name, start, length) == 0)
             return attribute;
     return NULL;
+}
+
+const exr_attribute_t *tl_exr_part_attribute(const tl_exr_part *part, const char *name)
+{
+    return find_attribute(part, name, strlen(name) + 1); /* with its end */
+}
+
+bool tl_exr_part_has_attribute_like(const tl_exr_part *part, const char *start)
+{
+    return find_attribute(part, start, strlen(start)) != NULL;
 }
 
 bool tl_exr_part_is_uncropped(const tl_exr_part *part)

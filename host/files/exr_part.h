@@ -60,6 +60,9 @@ const exr_attr_chlist_entry_t *tl_exr_part_channel(const tl_exr_part *part, cons
 /* NULL where there is none; asking does not count as an error of the stream. */
 const exr_attribute_t *tl_exr_part_attribute(const tl_exr_part *part, const char *name);
 
+/* Whether it has one whose name begins so. */
+bool tl_exr_part_has_attribute_like(const tl_exr_part *part, const char *start);
+
 /* The words of types of channels: "uint", "half", "float". */
 extern const char *const tl_exr_type_words[EXR_PIXEL_LAST_TYPE];
 

@@ -123,6 +123,14 @@ static void cross(const double a[3], const double b[3], double out[3])
     out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
+void tl_camera_center(tl_camera *camera, double right, double top)
+{
+    camera->right = (float)right;
+    camera->top = (float)top;
+    camera->left = -camera->right;
+    camera->bottom = -camera->top;
+}
+
 tl_camera tl_camera_look_at(const double eye[3],
                             const double target[3],
                             const double up[3],

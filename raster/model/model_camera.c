@@ -98,10 +98,7 @@ tl_status tl_model_camera_at(const tl_model *model,
         return tl_fail(err, TL_ERR_FORMAT, "%s: %s: its node is scaled to nothing",
                        model->gltf->path, label.text);
     /* The height is the file's; the width follows the picture's shape. */
-    camera.top = (float)half;
-    camera.right = (float)(half * width / height);
-    camera.bottom = -camera.top;
-    camera.left = -camera.right;
+    tl_camera_center(&camera, half * width / height, half);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 4; j++)
             camera.view_from_world[i][j] = (float)view[i][j];

@@ -130,12 +130,13 @@ static bool find_number(const tl_source *source,
     return false;
 }
 
-static bool has_attribute(const tl_source *source, const char *start)
+/* Whether the row holds in this file. */
+static bool holds(const tl_alias *alias, const tl_source *source)
 {
-    if (!start)
+    if (!alias->attribute)
         return true;
-    for (uint32_t p = 0; p < source->part_count; p++)
-        if (tl_source_attribute_begins(source, p, start))
+    for (uint32_t p = 0; p < source->part_count && source->format == &tl_source_exr; p++)
+        if (tl_exr_part_has_attribute_like(&source->parts[p].exr, alias->attribute))
             return true;
     return false;
 }
@@ -145,7 +146,7 @@ bool tl_alias_find(const tl_source *source, tl_import_plane plane, tl_binding *o
     for (int with_layers = 0; with_layers < 2; with_layers++)
         for (size_t i = 0; i < tl_alias_count; i++) {
             const tl_alias *alias = &tl_aliases[i];
-            if (alias->plane != plane || !has_attribute(source, alias->attribute) ||
+            if (alias->plane != plane || !holds(alias, source) ||
                 (with_layers && !alias->name[1]))
                 continue;
             const bool found =

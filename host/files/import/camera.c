@@ -55,7 +55,7 @@ static void place(tl_camera *camera, const double axes[3][3], const double eye[3
     }
 }
 
-/* The edges of a centred lens. Pixels may be wider than high. */
+/* A centred perspective. Pixels may be wider than high. */
 static void set_lens(tl_import_plan *plan, double vertical, double horizontal)
 {
     tl_camera *camera = &plan->camera.camera;
@@ -63,10 +63,7 @@ static void set_lens(tl_import_plan *plan, double vertical, double horizontal)
     const double up =
         vertical > 0.0 ? tan(0.5 * vertical * degree) : tan(0.5 * horizontal * degree) / aspect;
     camera->projection = TL_PERSPECTIVE;
-    camera->top = (float)up;
-    camera->right = (float)(up * aspect);
-    camera->bottom = -camera->top;
-    camera->left = -camera->right;
+    tl_camera_center(camera, up * aspect, up);
 }
 
 /* A plane function of OpenEXR's matrix for row vectors: value(p) = direction . p + offset. */

@@ -182,10 +182,7 @@ static tl_status find_lens(
         half = 0.5 / f->focal_length[0] *
                (has(f, AT_sensor_height) ? f->sensor_height[0] : f->sensor_width[0] / aspect);
     camera->projection = has(f, AT_orthographic_height) ? TL_ORTHOGRAPHIC : TL_PERSPECTIVE;
-    camera->top = (float)half;
-    camera->right = (float)(half * aspect);
-    camera->bottom = -camera->top;
-    camera->left = -camera->right;
+    tl_camera_center(camera, half * aspect, half);
     return TL_OK;
 }
 

@@ -131,12 +131,6 @@ static double offset_of_positions(const depth_work *w, tl_import_space space)
     return count > 0 ? sum / count : HUGE_VAL;
 }
 
-static const char *const space_words[TL_SPACE_COUNT] = {
-#define SPACE_WORD(name, word, meaning) [name] = word,
-    TL_IMPORT_SPACES(SPACE_WORD)
-#undef SPACE_WORD
-};
-
 /* Positions prove their space: they lie on the rays of their pixels. */
 static tl_import_space find_position_space(const depth_work *w)
 {
@@ -152,7 +146,7 @@ static tl_import_space find_position_space(const depth_work *w)
         }
     }
     tl_notice(w->frame->notices, "depth is taken from positions, which are of the space \"%s\"",
-              space_words[best]);
+              tl_import_space_words[best]);
     if (isfinite(least) && least > few)
         tl_notice(w->frame->notices,
                   "positions lie %.3g pixels off their own pixels: the camera is not the one "
@@ -179,12 +173,6 @@ static bool is_of_buffer(tl_depth_kind kind)
            kind == TL_DEPTH_KIND_NDC_GL;
 }
 
-static const char *const kind_words[TL_DEPTH_KIND_COUNT] = {
-#define DEPTH_WORD(name, word, meaning) [name] = word,
-    TL_DEPTH_KINDS(DEPTH_WORD)
-#undef DEPTH_WORD
-};
-
 tl_status tl_import_depth(tl_importing *f, tl_error *err)
 {
     const tl_import_plan *plan = f->plan;
@@ -204,7 +192,7 @@ tl_status tl_import_depth(tl_importing *f, tl_error *err)
             err, TL_ERR_ARGUMENT,
             "--depth-kind %s needs --near and --far, which the depth buffer was made "
             "with (--far inf where it has none)",
-            kind_words[w.kind]);
+            tl_depth_kind_words[w.kind]);
     } else if (w.kind == TL_DEPTH_KIND_PLANAR) {
         tl_notice(f->notices,
                   "depths are taken as %g m each along the view axis (--depth-kind planar, "

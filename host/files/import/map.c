@@ -1,4 +1,4 @@
-/* The words of --map, and the defaults of all options of importing. */
+/* The words of --map and of what numbers mean, and the defaults of all options of importing. */
 #include "aliases.h"
 #include "suggest.h"
 
@@ -8,6 +8,18 @@
 
 /* Blender writes 1e10 where nothing was hit; no scene is a million kilometres deep. */
 static const double far_away = 1e9;
+
+const char *const tl_depth_kind_words[TL_DEPTH_KIND_COUNT] = {
+#define DEPTH_WORD(name, word, meaning) [name] = word,
+    TL_DEPTH_KINDS(DEPTH_WORD)
+#undef DEPTH_WORD
+};
+
+const char *const tl_import_space_words[TL_SPACE_COUNT] = {
+#define SPACE_WORD(name, word, meaning) [name] = word,
+    TL_IMPORT_SPACES(SPACE_WORD)
+#undef SPACE_WORD
+};
 
 tl_import_options tl_import_options_default(void)
 {

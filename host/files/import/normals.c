@@ -25,12 +25,6 @@ typedef struct normal_work {
     reading as;
 } normal_work;
 
-static const char *const space_words[TL_SPACE_COUNT] = {
-#define SPACE_WORD(name, word, meaning) [name] = word,
-    TL_IMPORT_SPACES(SPACE_WORD)
-#undef SPACE_WORD
-};
-
 static void raw_normal(const tl_importing *f, size_t at, double out[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -137,10 +131,11 @@ static void say_reading(
         tl_notice(f->notices,
                   "normals are taken as of the space \"%s\": as \"%s\" they do not fit the "
                   "depths (mean cosine %.2f against %.2f); --normal-space decides",
-                  space_words[taken.space], space_words[assumed.space], fit, worse);
+                  tl_import_space_words[taken.space], tl_import_space_words[assumed.space], fit,
+                  worse);
     else if (f->plan->options->normal_space == TL_SPACE_AUTO)
         tl_notice(f->notices, "normals are taken as of the space \"%s\"",
-                  space_words[taken.space]);
+                  tl_import_space_words[taken.space]);
     if (taken.sign < 0.0)
         tl_notice(f->notices, "normals point away from the viewer: all are turned round");
     if (fit < poor_fit)

@@ -93,29 +93,23 @@ tl_status tl_source_add_channel(tl_source *source,
     return TL_OK;
 }
 
-const exr_attribute_t *tl_source_attribute(const tl_source *source,
-                                           uint32_t part,
-                                           const char *name)
+tl_status tl_source_add_picture(tl_source *source,
+                                uint32_t width,
+                                uint32_t height,
+                                size_t numbers,
+                                const char *type,
+                                tl_error *err)
 {
-    return source->format == &tl_source_exr
-               ? tl_exr_part_attribute(&source->parts[part].exr, name)
-               : NULL;
-}
-
-bool tl_source_attribute_begins(const tl_source *source, uint32_t part, const char *start)
-{
-    const exr_attribute_t *attribute;
-    int count = 0;
-    if (source->format != &tl_source_exr)
-        return false;
-    const tl_exr_part *exr = &source->parts[part].exr;
-    if (exr_get_attribute_count(exr->stream->context, exr->index, &count) != EXR_ERR_SUCCESS)
-        return false;
-    for (int i = 0; i < count; i++)
-        if (exr_get_attribute_by_index(exr->stream->context, exr->index,
-                                       EXR_ATTR_LIST_FILE_ORDER, i,
-                                       &attribute) == EXR_ERR_SUCCESS &&
-            strncmp(attribute->name, start, strlen(start)) == 0)
-            return true;
-    return false;
+    static const char *const names[] = {"R", "G", "B"};
+    const tl_source_part part = {
+        .name = "", .width = width, .height = height, .storage = "", .compression = ""};
+    tl_status status = TL_OK;
+    TRY(tl_source_add_part(source, &part, err));
+    for (size_t i = 0; i < numbers; i++) {
+        const tl_source_channel channel = {
+            .name = numbers == 1 ? "Y" : names[i], .type = type, .is_number = true};
+        TRY(tl_source_add_channel(source, &channel, err));
+    }
+done:
+    return status;
 }

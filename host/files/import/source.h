@@ -21,7 +21,7 @@ typedef struct tl_source_part {
 typedef struct tl_source_channel {
     uint32_t part;
     const char *name;
-    const char *type; /* "half", "float", "uint", "8 bits", "16 bits" */
+    const char *type; /* "half", "float", "uint", "8 or 16 bits" */
     bool is_number;   /* can be read: no whole numbers without a scale */
 } tl_source_channel;
 
@@ -76,12 +76,12 @@ tl_status tl_source_add_channel(tl_source *source,
                                 const tl_source_channel *channel,
                                 tl_error *err);
 
-/* Of OpenEXR: the attribute of a part, or NULL. Of other formats NULL. */
-const exr_attribute_t *tl_source_attribute(const tl_source *source,
-                                           uint32_t part,
-                                           const char *name);
-
-/* Whether a part has an attribute whose name begins so. */
-bool tl_source_attribute_begins(const tl_source *source, uint32_t part, const char *start);
+/* The one part of a format without parts, and its channels: Y, or R, G, B. */
+tl_status tl_source_add_picture(tl_source *source,
+                                uint32_t width,
+                                uint32_t height,
+                                size_t numbers,
+                                const char *type,
+                                tl_error *err);
 
 #endif

@@ -63,11 +63,11 @@ static bool parse_extent(const char *word, uint32_t *out)
 
 static tl_status parse_header(tl_source *source, size_t size, pfm *of, tl_error *err)
 {
-    tl_source_part part = {.name = "", .storage = "", .compression = ""};
+    uint32_t width = 0, height = 0;
     char word[32], *end = NULL;
     size_t at = 2;
-    if (!parse_extent(next_word(of->bytes, size, &at, word), &part.width) ||
-        !parse_extent(next_word(of->bytes, size, &at, word), &part.height))
+    if (!parse_extent(next_word(of->bytes, size, &at, word), &width) ||
+        !parse_extent(next_word(of->bytes, size, &at, word), &height))
         return tl_fail(err, TL_ERR_FORMAT,
                        "%s: is damaged: no width and height from 1 to %d follow \"P%c\"",
                        source->path, TL_MAX_EXTENT, of->bytes[1]);
@@ -82,17 +82,16 @@ static tl_status parse_header(tl_source *source, size_t size, pfm *of, tl_error 
     of->numbers = of->bytes[1] == 'F' ? 3 : 1;
     of->pixels_at = at + 1; /* one white space ends the header */
     const uint64_t wanted =
-        of->pixels_at + (uint64_t)part.width * part.height * of->numbers * sizeof(float);
+        of->pixels_at + (uint64_t)width * height * of->numbers * sizeof(float);
     if (size != wanted)
         return tl_fail(err, TL_ERR_FORMAT,
                        "%s: is %s: %zu bytes, where its header promises %" PRIu64, source->path,
                        size < wanted ? "cut short" : "damaged", size, wanted);
-    return tl_source_add_part(source, &part, err);
+    return tl_source_add_picture(source, width, height, of->numbers, "float", err);
 }
 
 static tl_status open_pfm(tl_source *source, tl_error *err)
 {
-    static const char *const names[] = {"R", "G", "B"};
     tl_status status = TL_OK;
     size_t size = 0;
     pfm *of = calloc(1, sizeof *of);
@@ -104,11 +103,6 @@ static tl_status open_pfm(tl_source *source, tl_error *err)
         TRY(tl_fail(err, TL_ERR_FORMAT, "%s: is damaged: it changed while it was read",
                     source->path));
     TRY(parse_header(source, size, of, err));
-    for (size_t i = 0; i < of->numbers; i++) {
-        const tl_source_channel channel = {
-            .name = of->numbers == 1 ? "Y" : names[i], .type = "float", .is_number = true};
-        TRY(tl_source_add_channel(source, &channel, err));
-    }
 done:
     return status;
 }

@@ -13,21 +13,12 @@ static bool recognises(const unsigned char *bytes, size_t size)
 
 static tl_status open_png(tl_source *source, tl_error *err)
 {
-    static const char *const names[] = {"R", "G", "B"};
     tl_status status = TL_OK;
     tl_image *image = NULL;
-    tl_source_part part = {.name = "", .storage = "", .compression = ""};
     TRY(tl_image_read_png(source->path, &image, err));
     source->pixels = image;
     source->needs_srgb = true;
-    part.width = image->width;
-    part.height = image->height;
-    TRY(tl_source_add_part(source, &part, err));
-    for (int i = 0; i < 3; i++) {
-        const tl_source_channel channel = {
-            .name = names[i], .type = "8 or 16 bits", .is_number = true};
-        TRY(tl_source_add_channel(source, &channel, err));
-    }
+    TRY(tl_source_add_picture(source, image->width, image->height, 3, "8 or 16 bits", err));
 done:
     return status;
 }

@@ -39,6 +39,9 @@ void tl_camera_view_direction(const tl_camera *camera, const double world[3], do
 void tl_camera_world_point(const tl_camera *camera, const double view[3], double world[3]);
 void tl_camera_world_direction(const tl_camera *camera, const double view[3], double world[3]);
 
+/* Gives it the edges of a centred image, of which these two are the right and the top one. */
+void tl_camera_center(tl_camera *camera, double right, double top);
+
 /* A perspective camera at `eye` that looks at `target` with `up` above it. vertical_fov is the
  * full angle in radians, in (0, pi). The caller has checked that the three points span a plane. */
 tl_camera tl_camera_look_at(const double eye[3],

@@ -55,8 +55,7 @@ typedef enum tl_depth_kind {
     X(TL_SPACE_WORLD, "world", "the scene")                                          \
     X(TL_SPACE_VIEW, "view", "the camera: x right, y up, z towards the viewer")      \
     X(TL_SPACE_VIEW_FORWARD, "view-forward",                                         \
-      "the camera: x right, y up, z away from the "                                  \
-      "viewer")
+      "the camera: x right, y up, z away from the viewer")
 
 typedef enum tl_import_space {
 #define TL_SPACE_NAME(name, word, meaning) name,
@@ -64,6 +63,9 @@ typedef enum tl_import_space {
 #undef TL_SPACE_NAME
         TL_SPACE_COUNT
 } tl_import_space;
+
+extern const char *const tl_depth_kind_words[TL_DEPTH_KIND_COUNT];
+extern const char *const tl_import_space_words[TL_SPACE_COUNT];
 
 /* Pixels that something covers in part. X(name, word, meaning) */
 #define TL_EDGE_RULES(X)                          \
