@@ -5,9 +5,12 @@
 #include "baselines.h"
 #include "needs.h"
 
-/* Fails with TL_ERR_UNSUPPORTED where the frame has another shading model than Phong's, or a falloff
- * outside these: bits 1 << row of kernels/falloff.h. */
-tl_status tl_baseline_check(const tl_needs *needs, uint32_t falloffs, tl_error *err);
+/* Fails with TL_ERR_UNSUPPORTED where the frame has spot lights, or a shading model or a falloff
+ * outside these: bits 1 << row of kernels/models.h and of kernels/falloff.h. */
+tl_status tl_baseline_check(const tl_needs *needs,
+                            uint32_t models,
+                            uint32_t falloffs,
+                            tl_error *err);
 
 tl_status hand_create_exact(const tl_baseline_input *input, void **out, tl_error *err);
 tl_status hand_create_relaxed(const tl_baseline_input *input, void **out, tl_error *err);

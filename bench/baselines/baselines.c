@@ -84,9 +84,12 @@ const tl_baseline *const tl_baselines[] = {
 };
 const int tl_baseline_count = sizeof tl_baselines / sizeof tl_baselines[0];
 
-tl_status tl_baseline_check(const tl_needs *needs, uint32_t falloffs, tl_error *err)
+tl_status tl_baseline_check(const tl_needs *needs,
+                            uint32_t models,
+                            uint32_t falloffs,
+                            tl_error *err)
 {
-    if (needs->model != TL_MODEL_PHONG)
+    if (!(models >> needs->model & 1u))
         return tl_fail(err, TL_ERR_UNSUPPORTED, "knows the shading model phong alone");
     if (needs->spots)
         return tl_fail(err, TL_ERR_UNSUPPORTED, "knows no spot lights");

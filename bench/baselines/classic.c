@@ -151,7 +151,7 @@ tl_status classic_create(const tl_baseline_input *input, void **out, tl_error *e
     TRY(tl_prepare(input->gbuffer, input->lights,
                    &(tl_prepare_options){.tile_size = TILE, .box_count = 1}, NULL, &c->prepared,
                    err));
-    TRY(tl_baseline_check(&c->prepared.needs, ~0u, err));
+    TRY(tl_baseline_check(&c->prepared.needs, 1u << TL_MODEL_PHONG, ~0u, err));
     TRY(upload(c, err));
     TRY(make_program(c, err));
     TRY(check_lists(c, err));

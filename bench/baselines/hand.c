@@ -89,14 +89,9 @@ static bool is_grey(const tl_gbuffer *g)
 /* hand_frame.has_one_color. Of lights with a range alone: the others have code of their own. */
 static bool has_one_color(const tl_baseline_input *input, const tl_prepared *prepared)
 {
-    if (prepared->needs.model != TL_MODEL_BLINN_PHONG_NORMALIZED ||
-        prepared->frame.global_count > 0 || !is_grey(input->gbuffer))
-        return false;
-    for (uint32_t i = 0; i < prepared->frame.light_count; i++)
-        if (memcmp(prepared->lights[i].diffuse, prepared->lights[i].specular,
-                   sizeof prepared->lights[i].diffuse) != 0)
-            return false;
-    return true;
+    return prepared->needs.model == TL_MODEL_BLINN_PHONG_NORMALIZED &&
+           prepared->frame.global_count == 0 && prepared->two_colored_count == 0 &&
+           is_grey(input->gbuffer);
 }
 
 static tl_status create(const tl_baseline_input *input,
@@ -114,8 +109,11 @@ static tl_status create(const tl_baseline_input *input,
     TRY(tl_prepare(input->gbuffer, input->lights,
                    &(tl_prepare_options){.tile_size = HAND_TILE, .box_count = 1}, NULL,
                    &h->prepared, err));
-    if (!(is_relaxed && has_one_color(input, &h->prepared)))
-        TRY(tl_baseline_check(&h->prepared.needs, ~0u, err));
+    h->frame = (hand_frame){.prepared = &h->prepared,
+                            .has_one_color = is_relaxed && has_one_color(input, &h->prepared)};
+    const uint32_t models =
+        h->frame.has_one_color ? 1u << TL_MODEL_BLINN_PHONG_NORMALIZED : 1u << TL_MODEL_PHONG;
+    TRY(tl_baseline_check(&h->prepared.needs, models, ~0u, err));
     open_ranges(&h->prepared);
     const tl_frame *f = &h->prepared.frame;
     h->boxes = calloc((size_t)f->tiles_x * f->tiles_y, sizeof *h->boxes);
@@ -125,8 +123,8 @@ static tl_status create(const tl_baseline_input *input,
         TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for a baseline"));
     for (size_t i = 0; i < h->worker_count; i++)
         TRY(hand_worker_create(&h->workers[i], f->light_count - f->global_count, err));
-    h->frame = (hand_frame){.prepared = &h->prepared, .boxes = h->boxes, .rects = h->rects};
-    h->frame.has_one_color = is_relaxed && has_one_color(input, &h->prepared);
+    h->frame.boxes = h->boxes;
+    h->frame.rects = h->rects;
     for (enum tl_plane p = 0; p < TL_PLANE_COUNT; p++)
         h->frame.planes[p] = tl_gbuffer_plane(input->gbuffer, p);
     *out = h;

@@ -7,7 +7,6 @@
 #include "prepared.h"
 
 #include <stdbool.h>
-#include <string.h>
 
 enum { HAND_TILE = 16 }; /* px */
 

@@ -5,6 +5,8 @@
 
 #include "hand_surface.h"
 
+#include <string.h>
+
 enum { CHUNK = 32 }; /* lights of a list that are taken through the loops together */
 
 LANES_INLINE lanes3 towards(const block_surface *s, const tl_view_light *light)

@@ -242,7 +242,8 @@ static tl_status create(const tl_baseline_input *input,
     m->draws_volumes = draws_volumes;
     TRY(tl_prepare(input->gbuffer, input->lights, &(tl_prepare_options){.tile_size = 16}, NULL,
                    &m->prepared, err));
-    TRY(tl_baseline_check(&m->prepared.needs, ~(1u << TL_FADE_LINEAR_FROM), err));
+    TRY(tl_baseline_check(&m->prepared.needs, 1u << TL_MODEL_PHONG,
+                          ~(1u << TL_FADE_LINEAR_FROM), err));
     for (uint32_t i = 0; i < m->prepared.frame.global_count; i++)
         m->prepared.lights[i].range2 = INFINITY;
     m->rectangles = calloc(m->prepared.frame.light_count + 1u, sizeof *m->rectangles);
