@@ -25,8 +25,7 @@ static inline float tl_largest_value(int plane)
 typedef struct tl_faults {
     atomic_ullong depth, normal, value;
     atomic_ullong first; /* row << 40 | column << 8 | plane of the first, for messages */
-    atomic_uint
-        telling; /* planes that say something in some pixel, bits 1 << plane: not neutral */
+    atomic_uint telling; /* not neutral in some pixel, bits 1 << plane; of a colour one */
 } tl_faults;
 
 /* Planes whose absence means something, so that they may be neutral. An exponent is of no matter where

@@ -33,7 +33,7 @@ typedef struct checked_value {
 
 /* Bits of a word that are these where a plane is neutral. */
 typedef struct telling_field {
-    uint32_t word, mask, neutral, planes;
+    uint32_t word, mask, neutral, plane; /* the last as a bit 1 << plane */
 } telling_field;
 
 typedef struct job {
@@ -46,8 +46,7 @@ typedef struct job {
     int value_count;
     telling_field fields[MOST_VALUES];
     int field_count;
-    atomic_ullong slack_x,
-        slack_y; /* the bits of doubles, which are in order for values >= 0 */
+    atomic_ullong slack_x, slack_y; /* bits of doubles, which are in order for values >= 0 */
 } job;
 
 typedef struct slack {
@@ -92,13 +91,12 @@ static int neutral_field(tl_channel c, enum tl_plane plane, uint32_t *field)
             (double)most * (1.0 / (double)most) == 1.0);
 }
 
-/* A plane without such bits is told of as if it said something. */
+/* Fields tell of the first plane of their attribute: a colour is neutral whole or not at all. A plane
+ * without such bits is told of as if it said something. */
 static void list_fields(job *j)
 {
     for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
         const uint32_t plane = TL_HAS(values[i].first);
-        const uint32_t planes =
-            plane & (TL_HAS(TL_SPECULAR_R) | TL_HAS(TL_EMISSIVE_R)) ? 7u * plane : plane;
         const tl_attribute *a =
             (const void *)((const char *)j->planes.layout + values[i].attribute);
         for (int k = 0; k < 3 && (j->gbuffer->present & TL_MAY_BE_NEUTRAL & plane); k++) {
@@ -109,9 +107,9 @@ static void list_fields(job *j)
             if (neutral_field(c, values[i].first, &neutral))
                 j->fields[j->field_count++] =
                     (telling_field){c.word, (uint32_t)((1ull << c.bits) - 1u) << c.shift,
-                                    neutral << c.shift, planes};
+                                    neutral << c.shift, plane};
             else
-                atomic_fetch_or(&j->faults->telling, planes);
+                atomic_fetch_or(&j->faults->telling, plane);
         }
     }
 }
@@ -121,7 +119,7 @@ static uint32_t telling_planes(const job *j, const tl_words *words)
     uint32_t planes = 0;
     for (int i = 0; i < j->field_count; i++)
         if ((words->of[j->fields[i].word] & j->fields[i].mask) != j->fields[i].neutral)
-            planes |= j->fields[i].planes;
+            planes |= j->fields[i].plane;
     return planes;
 }
 
