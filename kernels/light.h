@@ -103,16 +103,21 @@ TL_INLINE received add_highlight(received sum,
                     exp2_of_negative(log2_of_power(a.cos2, a.sin2, s.shininess)));
 }
 
+/* Whether a light with a range fades by this row, which `it_does` says where lights of the scene fade by
+ * this and by others. */
+TL_INLINE int fades_by(tl_needs needs, tl_u32 row, int it_does)
+{
+    const tl_u32 ranged = needs.falloffs & ~(1u << TL_FADE_NONE), wanted = 1u << row;
+    return ranged == wanted || ((ranged & wanted) && it_does);
+}
+
 /* The weight of a light at a distance. Uniform branches: every lane has the same light. */
 TL_INLINE real
 fade_of(tl_needs needs, tl_view_light light, real distance2, real distance, real per_distance)
 {
-    const tl_u32 ranged = needs.falloffs & ~(1u << TL_FADE_NONE);
-    if (ranged == (1u << TL_FADE_LINEAR) ||
-        ((ranged & (1u << TL_FADE_LINEAR)) && light.falloff == TL_FADE_LINEAR))
+    if (fades_by(needs, TL_FADE_LINEAR, light.falloff == TL_FADE_LINEAR))
         return fade_linear(distance, light.fade);
-    if (ranged == (1u << TL_FADE_LINEAR_FROM) ||
-        ((ranged & (1u << TL_FADE_LINEAR_FROM)) && light.falloff >= TL_FADE_COUNT))
+    if (fades_by(needs, TL_FADE_LINEAR_FROM, light.falloff >= TL_FADE_COUNT))
         return fade_linear_from(distance, light.fade, light.falloff);
     return fade_inverse_square(distance2, per_distance, light.fade);
 }
