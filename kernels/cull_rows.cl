@@ -282,7 +282,8 @@ TL_INLINE uint interleaved(uint item, uint count)
 }
 
 /* planes    the frame's word planes, of which positions are read
- * lights    [light_count], and behind them the tl_view_spots of scenes with spots; rects as light_rects leaves them
+ * lights    [light_count], and behind them the tl_view_spots of scenes with spots
+ * rects     as light_rects leaves them
  * boxes     [2][6][tiles_y][box_pitch], scratch
  * counts    [tiles_y][box_pitch], written in full: lengths of lists, 0 beyond the last tile of a row
  * bits      [tiles_y][TL_LIGHT_BLOCK / 32][box_pitch], scratch

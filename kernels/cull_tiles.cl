@@ -205,7 +205,8 @@ __kernel void list_cells(const tl_frame frame,
     }
 }
 
-/* lights    [light_count]; rects as light_rects leaves them
+/* lights    [light_count], and behind them the tl_view_spots of scenes with spots
+ * rects     as light_rects leaves them
  * boxes     as bound_tiles leaves them
  * cells, cell_list  as list_cells leaves them; not read unless frame.has_cells
  * counts    [tiles_y][box_pitch], written for every tile: lengths of lists

@@ -1,13 +1,13 @@
 /* The broad phase: the rectangles of lights in tiles, a work-item per run of lights.
  *
  * In double, because the eye may be one ulp outside a light's sphere; on a device without it the
- * host runs the same header (host/lighting/passes.c). */
+ * host runs the same header (host/lighting/cull_pass.c). */
 #include "spot.h"
 #include "tile_rect.h"
 
 #ifdef TL_HAS_SPHERE_BOUNDS
 
-/* lights    [light_count]
+/* lights    [light_count], and behind them the tl_view_spots of scenes with spots
  * rects     [TL_RECT_PLANE_COUNT][TL_RECT_PITCH(light_count)], written in full
  * list_end  [2], become 0: where the lists of the frame start, those of tiles and those of cells
  * Global size: a divisor of TL_RECT_PITCH(light_count). */

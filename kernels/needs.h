@@ -14,13 +14,13 @@ typedef struct tl_needs {
     tl_u32 layout;       /* how pixels are packed: a row of layout.h */
     tl_u32 model;        /* how surfaces reflect: a row of models.h */
     tl_u32 spots;        /* 1: some light has a cone */
-    tl_u32
-        one_color; /* 1: the lobe is diffuse light times one number a pixel, for the model tints it,
-                            specular colours are grey, and both lobes of every light have one colour */
+    /* 1: the lobe is diffuse light times one number a pixel, for the model tints it, specular colours
+     * are grey, and both lobes of every light have one colour */
+    tl_u32 one_color;
     tl_u32 ambient; /* 1: there is ambient light */
-    tl_u32
-        idle; /* planes of `present` that change nothing here, bits 1 << plane: they are not read,
-                     * and have the value that planes.h gives what was not hit */
+    /* planes of `present` that change nothing here, bits 1 << plane: they are not read, and have the
+     * value that planes.h gives what was not hit */
+    tl_u32 idle;
 } tl_needs;
 
 #ifdef __OPENCL_C_VERSION__

@@ -27,7 +27,8 @@ TL_INLINE real lobe_energy(real shininess)
     return FMA(shininess, R(0.125), R(0.25));
 }
 
-/* position, normal: in view space, the normal unit or 0. specular: of the material, where it is grey. */
+/* position, normal: in view space, the normal unit or 0. specular: the material's grey, of no matter
+ * unless there is one colour. */
 TL_INLINE surface
 surface_at(tl_needs needs, vec3 position, vec3 normal, real shininess, real specular)
 {
@@ -38,7 +39,7 @@ surface_at(tl_needs needs, vec3 position, vec3 normal, real shininess, real spec
     if (needs.specular)
         s.to_eye = direction_to_eye(needs, position);
     s.shininess = shininess;
-    s.lobe_scale = shininess;
+    s.lobe_scale = shininess; /* a number at hand, so that none is read for it */
     if (needs.one_color)
         s.lobe_scale =
             lobe_has(needs, TL_LOBE_ENERGY) ? specular * lobe_energy(shininess) : specular;

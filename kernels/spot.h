@@ -61,8 +61,8 @@ TL_INLINE mask in_cone(tl_view_spot spot, vec3 l, real distance2)
 
 /* What the cone lets through, 0 to 1, in it. per_distance: 1/|l|. The cosine is off by 3u for its sum, 3u
  * for root, quotient and product, u for the axis, which is rounded; what it is compared with by u; so
- * before it is squared the share is off by 8u scale + 3u at most (u = 2^-24, scale at most 1000). Asserted by
- * tests/test_spot_formulas.c. */
+ * before it is squared the share is off by 8u scale + 3u at most (u = 2^-24, scale at most 1000).
+ * Asserted by tests/test_lighting_formulas.c. */
 TL_INLINE real cone_share(tl_view_spot spot, vec3 l, real per_distance)
 {
     const real above =
@@ -146,7 +146,7 @@ TL_INLINE vec3 nearest_to_axis(tl_view_spot spot, vec3 low, vec3 high, vec3 g)
  *     which in_cone holds in spite of its rounding. Let it hold: then
  *     (1 + u)(l.a + 3u |l|)^2 > cos^2 |l|^2 (1 - 5u), the stored square being off by u, l.l by 3u, the
  *     product by u; so l.a > (cos - 7u) |l|, and the axis is of length 1 to 2u. cull_cos is of a cosine
- *     16u less (host/frame/spot.c), and where that is not above 0, no plane is asked.
+ *     16u less (host/frame/spot_cone.c), and where that is not above 0, no plane is asked.
  *
  * What is no number is met. tests/test_spot_culling.c attacks both. Of boxes in reach of a light, as long and
  * wide as a seventh of its range, at a half-angle of 0.2, 1.03 times as many are met as the cone touches; of

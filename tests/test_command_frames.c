@@ -28,7 +28,7 @@ static void expect_same(const char *a, const char *b)
     json_decref(report);
 }
 
-/* With spots left out, orthographic and hard cases, many lights: captured, then lit from the file. */
+/* With spots, orthographic and hard cases, many lights: captured, then lit from the file. */
 static void capture_then_light_is_render(void **state)
 {
     static const char *const scenes[] = {"nine-lights.gltf", "hard-cases.glb", "hall.gltf"};

@@ -14,13 +14,11 @@
 typedef struct tl_prepared {
     tl_frame frame;
     tl_needs needs;
-    tl_view_light
-        *lights;         /* [frame.light_count], room for `capacity` with their spots; owned */
-    tl_view_spot *spots; /* [frame.light_count], behind the lights in the same memory */
-    uint32_t *sources;     /* [capacity], of each its index in the light set; owned */
-    size_t capacity;
-    uint32_t
-        two_colored_count; /* lights that add something, and whose lobes differ in colour */
+    tl_view_light *lights; /* [frame.light_count]; owned */
+    tl_view_spot *spots;   /* [frame.light_count], behind the lights in their memory */
+    uint32_t *sources;     /* [frame.light_count], of each its index in the light set; owned */
+    size_t capacity;       /* lights that there is room for */
+    uint32_t two_colored_count; /* lights that add something, with lobes of different colours */
     tl_explanation explanation; /* where `needs` comes from */
 } tl_prepared;
 
@@ -32,8 +30,9 @@ typedef struct tl_prepare_options {
 } tl_prepare_options;
 
 /* Fills *prepared, growing its lights where they do not fit; all zero is a valid start. Lights that add
- * exactly nothing are not among them (explanation.idle_lights), unless all effects are asked for. Names spots
- * that light nothing in a notice. Fails with TL_ERR_ARGUMENT (more than 2^31 lights) or TL_ERR_MEMORY. */
+ * exactly nothing are not among them (explanation.idle_lights), unless all effects are asked for. Names
+ * spots that light nothing in a notice. Fails with TL_ERR_ARGUMENT (more than 2^31 lights) or
+ * TL_ERR_MEMORY. */
 tl_status tl_prepare(const tl_gbuffer *gbuffer,
                      const tl_light_set *lights,
                      const tl_prepare_options *options,

@@ -29,7 +29,8 @@ void tl_causes_of_light(tl_explanation *explanation,
                         uint32_t index,
                         int is_global);
 
-/* What kernels are built for: the switches of effects, by the table, once all causes are there. Decides explanation->effects and ->idle. */
+/* What kernels are built for: the switches of effects, by the table, once all causes are there. Decides
+ * explanation->effects and ->idle. */
 tl_needs tl_needs_of_causes(tl_explanation *explanation,
                             const tl_gbuffer *gbuffer,
                             const tl_light_set *lights);

@@ -2,7 +2,7 @@
 
 #include "spot.h"
 
-/* The floats of a half and of a whole turn: angles of files are floats, and mean these. */
+/* The floats of a quarter and of half a turn: angles of files are floats, and mean these. */
 static const float quarter_turn = 1.57079637f, half_turn = 3.14159274f;
 
 /* KHR_lights_punctual has it at least that, so that an edge is never infinitely steep. */

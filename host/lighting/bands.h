@@ -8,8 +8,7 @@
 typedef struct tl_band_options {
     int cull;              /* 0: every tile lists every light */
     uint64_t memory_limit; /* bytes of the device's own buffers; 0: what the device has */
-    uint32_t
-        *tile_lights; /* [tiles_y][tiles_x] of the frame: gets the lengths of lists; or NULL */
+    uint32_t *tile_lights; /* [tiles_y][tiles_x] of the frame: gets lengths of lists; or NULL */
 } tl_band_options;
 
 /* Lights the frame of context->prepared into the image; context->frame is its own. *counts gets

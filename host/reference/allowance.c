@@ -16,10 +16,11 @@
  * Squares that leave the range of float (flushed to zero, or infinite) make what depends on them
  * unknown.
  *
- * Where a comparison decides on a light (d2 < range2, n.l > 0, in its cone) and the two sides are closer than they
- * may be off, either decision is allowed: the light's interval then begins at 0.
+ * Where a comparison decides on a light (d2 < range2, n.l > 0, in its cone) and the two sides are closer
+ * than they may be off, either decision is allowed: the light's interval then begins at 0.
  *
- * tests/test_allowance.c shows that the kernels are within, and that small faults are not. */
+ * tests/test_check_bounds.c shows that the kernels are within, tests/test_check_sensitivity.c that small
+ * faults are not. */
 #include "allowance.h"
 
 #include "lit_pixel.h"
@@ -219,8 +220,7 @@ static interval weight_of(tl_view_light light, const way *w)
 /* What the cone of a spot lets through. */
 typedef struct aperture {
     interval share;
-    int may_pass,
-        does_pass; /* whether the way is in the cone: at all, whatever rounding does */
+    int may_pass, does_pass; /* whether the way is in it: perhaps, whatever rounding does */
 } aperture;
 
 static interval clamped_square(interval of)

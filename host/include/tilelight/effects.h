@@ -159,8 +159,7 @@ typedef struct tl_explanation {
     uint32_t neutral; /* those that say nothing: tl_gbuffer.neutral */
     uint32_t idle;    /* those that are not read */
     tl_some_lights lights[TL_CAUSE_COUNT]; /* of causes of lights */
-    tl_some_lights
-        idle_lights[TL_IDLE_LIGHT_COUNT]; /* that add nothing; left out unless all are lit */
+    tl_some_lights idle_lights[TL_IDLE_LIGHT_COUNT]; /* add nothing; left out with AUTO */
 } tl_explanation;
 
 #ifdef __cplusplus
