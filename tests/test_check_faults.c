@@ -58,8 +58,8 @@ static const kernel_case variations[] = {
     {"rows of a tile from below", "wall", "row0 + i / size;", "row0 + size - 1 - i / size;"},
     {"rsqrt", "mixed", "n / sqrt(length2)", "n * rsqrt(length2)"},
     {"h made unit", "peaks", "n, l / d + eye,", "n, normalize(l / d + eye),"},
-    {"material first", "peaks", "diffuse * (float3)(light.diffuse[0]",
-     "(weight * n_dot_l) / (weight * n_dot_l) * diffuse * (float3)(light.diffuse[0]"},
+    {"material first", "peaks", "diffuse * vector_of(light.diffuse)",
+     "(weight * n_dot_l) / (weight * n_dot_l) * diffuse * vector_of(light.diffuse)"},
 };
 
 static const kernel_case textbook[] = {
