@@ -164,7 +164,16 @@ static void others_refuse_the_model(void **state)
     (void)state;
     assert_int_equal(tl_baseline_find("hand")->create(&input, &run, &err), TL_ERR_UNSUPPORTED);
     assert_non_null(strstr(err.message, "phong"));
-    lights.lights[3].specular = 0.5f; /* another colour */
+    tl_light *one = &lights.lights[3];
+    const tl_light was = *one;
+    one->type = TL_LIGHT_SPOT;
+    one->direction[2] = -1.0f;
+    one->outer_cone = 0.5f;
+    assert_int_equal(tl_baseline_find("hand_relaxed")->create(&input, &run, &err),
+                     TL_ERR_UNSUPPORTED);
+    assert_non_null(strstr(err.message, "spot"));
+    *one = was;
+    one->specular = 0.5f; /* another colour */
     assert_int_equal(tl_baseline_find("hand_relaxed")->create(&input, &run, &err),
                      TL_ERR_UNSUPPORTED);
     assert_null(run);

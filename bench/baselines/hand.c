@@ -90,6 +90,7 @@ static bool is_grey(const tl_gbuffer *g)
 static bool has_one_color(const tl_baseline_input *input, const tl_prepared *prepared)
 {
     return prepared->needs.model == TL_MODEL_BLINN_PHONG_NORMALIZED &&
+           !(prepared->needs.present & TL_GROUP_METAL_ROUGH) &&
            prepared->frame.global_count == 0 && prepared->two_colored_count == 0 &&
            is_grey(input->gbuffer);
 }

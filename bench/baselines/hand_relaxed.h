@@ -33,7 +33,7 @@
 
 typedef struct kept_lights {
     const tl_view_light *of[CHUNK];
-    lanes seen[CHUNK]; /* weight where the light is above the surface */
+    lanes seen[CHUNK]; /* weight where it is above the surface; with one colour what arrives */
     lanes cos2[CHUNK]; /* of normal and half vector */
 } kept_lights;
 
