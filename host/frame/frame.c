@@ -46,14 +46,7 @@ static tl_view_light common(const tl_light *light, tl_u32 falloff)
 static tl_view_light directional(const tl_camera *camera, const tl_light *light)
 {
     tl_view_light v = common(light, TL_FADE_NONE);
-    double towards[3], view[3], length2 = 0.0;
-    for (int i = 0; i < 3; i++)
-        towards[i] = -(double)light->direction[i];
-    tl_camera_view_direction(camera, towards, view);
-    for (int i = 0; i < 3; i++)
-        length2 += view[i] * view[i];
-    for (int i = 0; i < 3; i++)
-        v.position[i] = (float)(view[i] / sqrt(length2));
+    tl_against_rays(camera, light, v.position);
     return v;
 }
 

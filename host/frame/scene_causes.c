@@ -57,7 +57,7 @@ static void note(tl_some_lights *some, uint32_t index)
         some->first = index;
 }
 
-/* Adding 0 to a sum that is not negative leaves its bits, and no cause of a sum is ever negative. */
+/* Adding 0 to a sum that is not negative leaves its bits, and no term of a sum is ever negative. */
 int tl_light_is_idle(tl_explanation *explanation,
                      const tl_view_light *light,
                      const tl_view_spot *spot,

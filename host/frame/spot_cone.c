@@ -16,6 +16,18 @@ static double cosine(float half_angle)
     return half_angle == quarter_turn ? 0.0 : cos((double)half_angle);
 }
 
+void tl_against_rays(const tl_camera *camera, const tl_light *light, float view[3])
+{
+    double towards[3], turned[3], length2 = 0.0;
+    for (int i = 0; i < 3; i++)
+        towards[i] = -(double)light->direction[i];
+    tl_camera_view_direction(camera, towards, turned);
+    for (int i = 0; i < 3; i++)
+        length2 += turned[i] * turned[i];
+    for (int i = 0; i < 3; i++)
+        view[i] = (float)(turned[i] / sqrt(length2));
+}
+
 int tl_spot_has_edge(const tl_light *light)
 {
     return light->type == TL_LIGHT_SPOT && light->inner_cone < half_turn;
@@ -24,18 +36,6 @@ int tl_spot_has_edge(const tl_light *light)
 int tl_spot_is_empty(const tl_light *light)
 {
     return tl_spot_has_edge(light) && (float)cosine(light->outer_cone) == 1.0f;
-}
-
-static void aim(const tl_camera *camera, const tl_light *light, tl_view_spot *spot)
-{
-    double towards[3], view[3], length2 = 0.0;
-    for (int i = 0; i < 3; i++)
-        towards[i] = -(double)light->direction[i];
-    tl_camera_view_direction(camera, towards, view);
-    for (int i = 0; i < 3; i++)
-        length2 += view[i] * view[i];
-    for (int i = 0; i < 3; i++)
-        spot->axis[i] = (float)(view[i] / sqrt(length2));
 }
 
 tl_view_spot tl_spot_cone(const tl_camera *camera, const tl_light *light)
@@ -50,6 +50,6 @@ tl_view_spot tl_spot_cone(const tl_camera *camera, const tl_light *light)
                          .scale = (float)(1.0 / fmax(least_fall, fall)),
                          .cull_cos = (float)widened,
                          .cull_sin = (float)sqrt(1.0 - widened * widened)};
-    aim(camera, light, &spot);
+    tl_against_rays(camera, light, spot.axis);
     return spot;
 }

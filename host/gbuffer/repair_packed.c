@@ -77,11 +77,16 @@ static void list_values(job *j)
     }
 }
 
+static uint32_t largest_field(tl_channel c)
+{
+    return (uint32_t)((1ull << c.bits) - 1u);
+}
+
 /* What bits of the channel read as the value that absence means, in float and in double: 0 does in every
  * number and code; of a 1 it is a matter of rounding. Returns whether there are any. */
 static int neutral_field(tl_channel c, enum tl_plane plane, uint32_t *field)
 {
-    const uint32_t most = (uint32_t)((1ull << c.bits) - 1u);
+    const uint32_t most = largest_field(c);
     *field = 0;
     if (plane != TL_OCCLUSION)
         return 1;
@@ -105,9 +110,8 @@ static void list_fields(job *j)
             if (!a->code || c.bits == 0)
                 continue;
             if (neutral_field(c, values[i].first, &neutral))
-                j->fields[j->field_count++] =
-                    (telling_field){c.word, (uint32_t)((1ull << c.bits) - 1u) << c.shift,
-                                    neutral << c.shift, plane};
+                j->fields[j->field_count++] = (telling_field){
+                    c.word, largest_field(c) << c.shift, neutral << c.shift, plane};
             else
                 atomic_fetch_or(&j->faults->telling, plane);
         }
@@ -178,7 +182,7 @@ static int has_normal(const tl_layout *layout, const tl_words *words)
 
 static void clear_channel(tl_words *words, tl_channel c)
 {
-    words->of[c.word] &= ~((tl_u32)((1ull << c.bits) - 1u) << c.shift);
+    words->of[c.word] &= ~(largest_field(c) << c.shift);
 }
 
 static __attribute__((noinline)) void remove_normal(const job *j, tl_words *words)

@@ -243,11 +243,11 @@ done:
     return status;
 }
 
-/* The band's part of what is kept for the frame; NULL: nothing is. */
+/* The band's part of what is kept for the frame. */
 static uint32_t *tile_lights_of(const tl_pass_context *c, const tl_band_options *options)
 {
     const size_t rows_before = c->frame.first_row / c->frame.tile_size;
-    return options->tile_lights ? options->tile_lights + rows_before * c->frame.tiles_x : NULL;
+    return options->tile_lights + rows_before * c->frame.tiles_x;
 }
 
 /* One band. *fitted is 0, and nothing lit, where cull_band says so. */
