@@ -60,11 +60,11 @@ TL_INLINE received add_listed_lights(received sum,
 {
     uint kept[LIGHTS_AT_ONCE], kept_count = 0;
     real reach[LIGHTS_AT_ONCE]; /* squared distance, then distance */
-    real seen[LIGHTS_AT_ONCE];  /* facing, then weight where light and half vector are above */
+    real seen[LIGHTS_AT_ONCE];  /* facing, then what add_diffuse leaves to the lobe */
     real cos2[LIGHTS_AT_ONCE], sin2[LIGHTS_AT_ONCE]; /* of the half vector */
     real log2_of[LIGHTS_AT_ONCE];                    /* the lobe */
-    real apart[LIGHTS_AT_ONCE];
-    real *const shine = needs.one_color ? apart : seen; /* what the lobe is multiplied by */
+    real beside[LIGHTS_AT_ONCE]; /* shine_of, where add_lobe needs `seen` too */
+    real *const shine = needs.one_color ? beside : seen;
 
     /* Those that may add anything; without a branch, for which they are is not predictable. */
     for (uint i = 0; i < count; i++) {

@@ -41,10 +41,15 @@ TL_INLINE tl_view_spot spot_of(tl_needs needs,
 }
 #endif
 
-TL_INLINE real along_axis(tl_view_spot spot, vec3 l)
+TL_INLINE vec3 axis_of(tl_view_spot spot)
 {
     const vec3 axis = {(real)spot.axis[0], (real)spot.axis[1], (real)spot.axis[2]};
-    return dot3(l, axis);
+    return axis;
+}
+
+TL_INLINE real along_axis(tl_view_spot spot, vec3 l)
+{
+    return dot3(l, axis_of(spot));
 }
 
 /* Grows with its operand, rounded or not. */
@@ -102,8 +107,8 @@ TL_INLINE real sum3(vec3 v)
  * add up to, which is no less than |g| |l|. */
 TL_INLINE mask is_apart(tl_view_spot spot, vec3 low, vec3 high, vec3 g, real farthest)
 {
-    const vec3 axis = {(real)spot.axis[0], (real)spot.axis[1], (real)spot.axis[2]};
-    const vec3 p = fma3(axis, -dot3(g, axis), g);
+    const vec3 axis = axis_of(spot);
+    const vec3 p = fma3(axis, -along_axis(spot, g), g);
     const real across2 = dot3(p, p);
     const real back = (real)-spot.cull_sin * SQRT(across2);
     const vec3 n = {FMA(axis.x, back, p.x * (real)spot.cull_cos),
