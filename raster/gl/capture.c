@@ -6,8 +6,6 @@
 
 #include <stdio.h>
 
-enum { DEFAULT_WIDTH = 1280, DEFAULT_HEIGHT = 720 };
-
 /* Planes are there where something that is drawn has need of them. */
 static uint32_t planes_of(const tl_model *model)
 {
@@ -23,12 +21,18 @@ static uint32_t planes_of(const tl_model *model)
     return present;
 }
 
+/* Of the square that a pixel's samples make; 0: they make none. */
+static uint32_t side_of(const tl_capture_options *options)
+{
+    return tl_samples_side(options->samples ? options->samples : 1);
+}
+
 static tl_status check_samples(const tl_capture_options *options,
                                uint32_t width,
                                uint32_t height,
                                tl_error *err)
 {
-    const uint32_t side = tl_samples_side(options->samples ? options->samples : 1);
+    const uint32_t side = side_of(options);
     if (side == 0)
         return tl_fail(err, TL_ERR_ARGUMENT,
                        "cannot capture %u samples of a pixel: a square number from 1 to %d",
@@ -85,7 +89,7 @@ static tl_status render(const tl_model *model,
 
     TRY(tl_gbuffer_create_packed(camera, layout, stored_planes(model, layout, notices),
                                  &gbuffer, err));
-    gbuffer->samples = options->samples ? options->samples : 1;
+    gbuffer->samples = side_of(options) * side_of(options);
     TRY(tl_gl_open(&gl, err));
     TRY(tl_upload(gl, model, &objects, timings, err));
     TRY(tl_geometry_pass(gl, model, &objects, anisotropy, gbuffer, timings, err));
@@ -107,8 +111,8 @@ tl_status tl_capture(const char *path,
                      const tl_notices *notices,
                      tl_error *err)
 {
-    const uint32_t width = options->width ? options->width : DEFAULT_WIDTH;
-    const uint32_t height = options->height ? options->height : DEFAULT_HEIGHT;
+    const uint32_t width = options->width ? options->width : TL_DEFAULT_WIDTH;
+    const uint32_t height = options->height ? options->height : TL_DEFAULT_HEIGHT;
     const tl_moment moment = {options->animation, options->time, options->has_time};
     tl_status status = TL_OK;
     tl_model *model = NULL;
@@ -123,8 +127,8 @@ tl_status tl_capture(const char *path,
     TRY(tl_model_camera(model, options->camera, width, height, notices, &camera, err));
     tl_timings_end(timings, "load", clock);
     /* The edges are the picture's, whatever its samples. */
-    camera.width *= tl_samples_side(options->samples ? options->samples : 1);
-    camera.height *= tl_samples_side(options->samples ? options->samples : 1);
+    camera.width *= side_of(options);
+    camera.height *= side_of(options);
     TRY(render(model, &camera, options, out, timings, notices, err));
 
     tl_light_set_clear(lights);

@@ -4,6 +4,7 @@
 #include "printable.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 tl_label tl_label_of(const char *kind, size_t index, const char *name)
@@ -11,16 +12,37 @@ tl_label tl_label_of(const char *kind, size_t index, const char *name)
     enum { SHOWN = 48 }; /* characters of a name: enough to find it, too few to flood a log */
     tl_label label;
     char shown[SHOWN + 1];
+    const char *const space = kind[0] ? " " : "";
     const size_t length = strnlen(name, SHOWN);
     if (length == 0) {
-        snprintf(label.text, sizeof label.text, "%s %zu", kind, index);
+        snprintf(label.text, sizeof label.text, "%s%s%zu", kind, space, index);
         return label;
     }
     for (size_t i = 0; i < length; i++)
         shown[i] = tl_printable(name[i]);
     shown[length] = '\0';
-    snprintf(label.text, sizeof label.text, "%s %zu (\"%s\")", kind, index, shown);
+    snprintf(label.text, sizeof label.text, "%s%s%zu (\"%s\")", kind, space, index, shown);
     return label;
+}
+
+bool tl_list_add(char *list, size_t size, const char *item)
+{
+    static const char more[] = " ...";
+    const size_t length = strlen(list);
+    const bool fits = length + strlen(item) + sizeof ", " + sizeof more <= size;
+    snprintf(list + length, size - length, "%s%s", fits && length ? ", " : "",
+             fits ? item : more);
+    return fits;
+}
+
+bool tl_index_of(const char *text, size_t count, size_t *out)
+{
+    char *end;
+    const long index = strtol(text, &end, 10);
+    if (end == text || *end != '\0' || index < 0 || (size_t)index >= count)
+        return false;
+    *out = (size_t)index;
+    return true;
 }
 
 tl_status tl_gltf_check_index(const tl_gltf *gltf,

@@ -16,30 +16,28 @@
  * none. */
 static bool find_animation(const tl_gltf *gltf, const char *wanted, size_t *out)
 {
-    char *end;
-    for (size_t i = 0; i < gltf->animation_count && wanted && wanted[0]; i++)
+    *out = 0;
+    if (!wanted)
+        return gltf->animation_count > 0;
+    for (size_t i = 0; i < gltf->animation_count && wanted[0]; i++)
         if (strcmp(gltf->animations[i].name, wanted) == 0) {
             *out = i;
             return true;
         }
-    const long index = wanted ? strtol(wanted, &end, 10) : 0;
-    if (wanted && (end == wanted || *end != '\0'))
-        return false;
-    *out = (size_t)index;
-    return index >= 0 && (size_t)index < gltf->animation_count;
+    return tl_index_of(wanted, gltf->animation_count, out);
 }
 
 static tl_status refuse_wanted(const tl_gltf *gltf, const char *wanted, tl_error *err)
 {
     char names[1024] = "";
-    size_t length = 0;
     if (gltf->animation_count == 0)
         return tl_fail(err, TL_ERR_ARGUMENT,
                        "%s: has no animations, so it can only be shown without a time",
                        gltf->path);
-    for (size_t i = 0; i < gltf->animation_count && length + 100 < sizeof names; i++)
-        length += (size_t)snprintf(names + length, sizeof names - length, "%s%s", i ? ", " : "",
-                                   tl_label_of("", i, gltf->animations[i].name).text + 1);
+    for (size_t i = 0; i < gltf->animation_count; i++)
+        if (!tl_list_add(names, sizeof names,
+                         tl_label_of("", i, gltf->animations[i].name).text))
+            break;
     return tl_fail(err, TL_ERR_ARGUMENT, "%s: has no animation \"%.64s\"; it has: %s",
                    gltf->path, wanted, names);
 }
@@ -114,8 +112,7 @@ static tl_status find_width(const player *at, track *to, tl_error *err)
     if (node->mesh != -1) {
         TRY(tl_gltf_check_index(at->gltf, to->user, "mesh", node->mesh, at->gltf->mesh_count,
                                 err));
-        const tl_gltf_mesh *const mesh = &at->gltf->meshes[node->mesh];
-        to->curve.width = mesh->primitive_count ? mesh->primitives[0].target_count : 0;
+        to->curve.width = tl_mesh_target_count(&at->gltf->meshes[node->mesh]);
     }
     if (to->curve.width == 0)
         return tl_fail(err, TL_ERR_FORMAT, "%s: %s: it has no mesh with morph targets",

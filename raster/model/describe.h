@@ -6,9 +6,6 @@
 
 #include "tilelight/scene_info.h"
 
-/* px: of pictures that cameras are tried with, which are tl_capture's unless it is told others. */
-enum { TL_DESCRIBED_WIDTH = 1280, TL_DESCRIBED_HEIGHT = 720 };
-
 /* Sets meshes, materials and images. Fails with TL_ERR_MEMORY. */
 tl_status tl_count_scene(const tl_model *model, tl_scene_info *out, tl_error *err);
 

@@ -262,9 +262,8 @@ static tl_status find_parts(
     tl_status status = TL_OK;
 
     TRY(tl_pose_weights(gltf, pose, placed->node, &wanted.weights, err));
-    const size_t target_count = from->primitive_count ? from->primitives[0].target_count : 0;
     if (!last->is_read || last->skin_node != wanted.skin_node ||
-        !are_equal(last->weights, wanted.weights, target_count)) {
+        !are_equal(last->weights, wanted.weights, tl_mesh_target_count(from))) {
         *last = wanted;
         for (size_t i = 0; i < from->primitive_count; i++)
             TRY(load_part(at, mesh, i, wanted.weights, err));

@@ -14,7 +14,7 @@ typedef struct instances {
     size_t count;                             /* 1 where there are none of them */
 } instances;
 
-static bool is_instanced(const tl_gltf_node *node)
+bool tl_is_instanced(const tl_gltf_node *node)
 {
     return node->instance_translation != -1 || node->instance_rotation != -1 ||
            node->instance_scale != -1;
@@ -119,7 +119,7 @@ static tl_status multiply(
     instances all = {0};
     tl_status status = TL_OK;
 
-    if (is_instanced(node) && node->skin != -1)
+    if (tl_is_instanced(node) && node->skin != -1)
         return tl_fail(err, TL_ERR_UNSUPPORTED,
                        "%s: %s has a skin and instances, which glTF gives no meaning together",
                        gltf->path, label.text);

@@ -26,7 +26,10 @@ tl_status tl_load_nodes(tl_model *model,
                         tl_placements *out,
                         tl_error *err);
 
-/* EXT_mesh_gpu_instancing: places meshes once for each instance of their node. Fails as
+/* Whether a node has instances (EXT_mesh_gpu_instancing). */
+bool tl_is_instanced(const tl_gltf_node *node);
+
+/* Places meshes once for each instance of their node. Fails as
  * tl_accessor_read does, naming the node, and with TL_ERR_UNSUPPORTED beyond TL_MAX_DRAW_COUNT or for a
  * node with a skin. */
 tl_status tl_load_instances(const tl_model *model, tl_placements *placements, tl_error *err);

@@ -3,7 +3,6 @@
 #include "lookup.h"
 #include "try.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -218,20 +217,13 @@ static void make_default(tl_material *out)
 static void tell_of_blending(const tl_model *model, const bool *used, const tl_notices *notices)
 {
     char names[512] = "";
-    size_t length = 0;
     for (size_t i = 0; i < model->gltf->material_count; i++) {
         const tl_gltf_material *const from = &model->gltf->materials[i];
-        if (!used[i] || strcmp(from->alpha_mode, "BLEND") != 0)
-            continue;
-        const tl_label label = tl_label_of("material", i, from->name);
-        if (length + strlen(label.text) + 8 > sizeof names) {
-            memcpy(names + length, " ...", 5);
+        if (used[i] && strcmp(from->alpha_mode, "BLEND") == 0 &&
+            !tl_list_add(names, sizeof names, tl_label_of("material", i, from->name).text))
             break;
-        }
-        length += (size_t)snprintf(names + length, sizeof names - length, "%s%s",
-                                   length ? ", " : "", label.text);
     }
-    if (length)
+    if (names[0])
         tl_notice(notices, "%s: blending is shown as opaque where alpha is at least 0.5: %s",
                   model->gltf->path, names);
 }

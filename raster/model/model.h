@@ -13,8 +13,7 @@ typedef struct tl_vertices {
     size_t count;
     /* [count][tl_accessor_width], owned; NULL: absent. Position and normal are always there. */
     float *attributes[TL_GLTF_ATTRIBUTE_COUNT];
-    uint32_t
-        *sources; /* [count], owned: which of the primitive's in the file; NULL: the same */
+    uint32_t *sources; /* [count], owned: which of the file's each was; NULL: the same */
 } tl_vertices;
 
 /* One primitive of a mesh, morphed: a triangle list. */
@@ -33,9 +32,9 @@ typedef struct tl_draw {
     tl_affine world;
 } tl_draw;
 
-/* A camera or light of the file at one place. */
+/* A mesh, camera or light of the file at one place. */
 typedef struct tl_placed {
-    int what; /* index into the file's cameras or lights */
+    int what; /* index into the file's meshes, cameras or lights */
     size_t node;
     tl_affine world;
 } tl_placed;
@@ -90,9 +89,9 @@ typedef struct tl_model {
     tl_pixels *pixels;           /* what those look at */
 } tl_model;
 
-/* Loads a scene as it is at that moment, in a variant of its materials by name or index, NULL: none; its
- * images undecoded. The caller releases *out with
- * tl_model_destroy. Fails as tl_capture does, without TL_ERR_DEVICE. */
+/* Loads a scene as it is at that moment, in a variant of its materials by name or index, NULL: none;
+ * its images undecoded. The caller releases *out with tl_model_destroy. Fails as tl_capture does,
+ * without TL_ERR_DEVICE. */
 tl_status tl_model_load(const char *path,
                         const tl_moment *moment,
                         const char *variant,

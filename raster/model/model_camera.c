@@ -2,8 +2,6 @@
 
 #include "lookup.h"
 
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* --- cameras of the file ----------------------------------------------------------------------- */
@@ -16,7 +14,7 @@ static const char *node_name(const tl_model *model, const tl_placed *camera)
 /* By name first: a camera may be called "2". NULL: there is none. */
 static const tl_placed *find_camera(const tl_model *model, const char *wanted)
 {
-    char *end;
+    size_t index;
     if (!wanted)
         return model->camera_count ? &model->cameras[0] : NULL;
     for (size_t i = 0; i < model->camera_count; i++)
@@ -25,28 +23,26 @@ static const tl_placed *find_camera(const tl_model *model, const char *wanted)
     for (size_t i = 0; i < model->camera_count; i++)
         if (strcmp(model->gltf->cameras[model->cameras[i].what].name, wanted) == 0)
             return &model->cameras[i];
-    const long index = strtol(wanted, &end, 10);
-    if (end == wanted || *end != '\0')
+    if (!tl_index_of(wanted, model->gltf->camera_count, &index))
         return NULL;
     for (size_t i = 0; i < model->camera_count; i++)
-        if (model->cameras[i].what == index)
+        if ((size_t)model->cameras[i].what == index)
             return &model->cameras[i];
     return NULL;
 }
 
 static tl_status refuse_wanted(const tl_model *model, const char *wanted, tl_error *err)
 {
-    char names[1024] = "none";
-    size_t length = 0;
-    for (size_t i = 0; i < model->camera_count && length + 100 < sizeof names; i++) {
+    char names[1024] = "";
+    for (size_t i = 0; i < model->camera_count; i++) {
         const tl_placed *const one = &model->cameras[i];
         const char *const own = model->gltf->cameras[one->what].name;
-        length += (size_t)snprintf(
-            names + length, sizeof names - length, "%s%s", i ? ", " : "",
-            tl_label_of("", (size_t)one->what, own[0] ? own : node_name(model, one)).text + 1);
+        const char *const name = own[0] ? own : node_name(model, one);
+        if (!tl_list_add(names, sizeof names, tl_label_of("", (size_t)one->what, name).text))
+            break;
     }
     return tl_fail(err, TL_ERR_ARGUMENT, "%s: has no camera \"%.64s\" in its scene; it has: %s",
-                   model->gltf->path, wanted, names);
+                   model->gltf->path, wanted, names[0] ? names : "none");
 }
 
 /* The rotation and the place of a world transform, as view_from_world. A camera's scale does not

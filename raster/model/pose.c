@@ -114,6 +114,11 @@ tl_status tl_pose_local(
 
 /* --- weights of morph targets ------------------------------------------------------------------ */
 
+size_t tl_mesh_target_count(const tl_gltf_mesh *mesh)
+{
+    return mesh->primitive_count ? mesh->primitives[0].target_count : 0;
+}
+
 static tl_status check_weights(const tl_gltf *gltf,
                                const char *user,
                                size_t count,
@@ -137,7 +142,7 @@ tl_status tl_pose_weights(
     const tl_gltf_node *const node = &gltf->nodes[index];
     const tl_gltf_mesh *const mesh = &gltf->meshes[node->mesh];
     const tl_label mesh_label = tl_label_of("mesh", (size_t)node->mesh, mesh->name);
-    const size_t count = mesh->primitive_count ? mesh->primitives[0].target_count : 0;
+    const size_t count = tl_mesh_target_count(mesh);
     for (size_t i = 1; i < mesh->primitive_count; i++)
         if (mesh->primitives[i].target_count != count)
             return tl_fail(err, TL_ERR_FORMAT,

@@ -38,6 +38,10 @@ void tl_pose_clear(tl_pose *pose);
 tl_status tl_pose_local(
     const tl_gltf *gltf, const tl_pose *pose, size_t index, tl_affine *out, tl_error *err);
 
+/* The morph targets of each primitive of a mesh, which has been through tl_pose_weights; before that, of
+ * the first. */
+size_t tl_mesh_target_count(const tl_gltf_mesh *mesh);
+
 /* The weights of the morph targets of node `index`: the animation's, else the node's, else the mesh's;
  * *out is [target_count], NULL: all 0; the pose's or the file's own. Fails with TL_ERR_FORMAT where
  * they are not as many as the targets of each primitive. The node's mesh has been checked. */

@@ -2,6 +2,7 @@
 
 #include "animation.h"
 #include "extensions.h"
+#include "tilelight/capture.h"
 #include "try.h"
 
 #include <stdlib.h>
@@ -73,8 +74,8 @@ static tl_status list_cameras(const tl_model *model, tl_scene_info *out, tl_erro
         *to = camera_at(gltf, &model->cameras[i]);
         out->unplaced_camera_count -= !is_placed[to->index];
         is_placed[to->index] = true;
-        TRY(keep_refusal(tl_model_camera_at(model, &model->cameras[i], TL_DESCRIBED_WIDTH,
-                                            TL_DESCRIBED_HEIGHT, &camera, &reason),
+        TRY(keep_refusal(tl_model_camera_at(model, &model->cameras[i], TL_DEFAULT_WIDTH,
+                                            TL_DEFAULT_HEIGHT, &camera, &reason),
                          &reason, gltf, &to->refusal, err));
     }
 done:

@@ -1,5 +1,7 @@
 #include "describe.h"
 
+#include "loading.h"
+
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
@@ -74,12 +76,6 @@ static void count_primitive(const tl_model *model,
     }
 }
 
-static bool is_instanced(const tl_gltf_node *node)
-{
-    return node->instance_translation != -1 || node->instance_rotation != -1 ||
-           node->instance_scale != -1;
-}
-
 /* A mesh at a place: its draws follow each other in the order of its primitives. */
 static void count_place(const tl_model *model,
                         const tl_draw *draw,
@@ -89,10 +85,10 @@ static void count_place(const tl_model *model,
     const tl_gltf *const gltf = model->gltf;
     const tl_gltf_node *const node = &gltf->nodes[draw->node];
     out->place_count++;
-    out->instance_count += is_instanced(node);
+    out->instance_count += tl_is_instanced(node);
     if (!mark(&marks->nodes[draw->node]))
         return;
-    out->instanced_node_count += is_instanced(node);
+    out->instanced_node_count += tl_is_instanced(node);
     if (node->skin == -1)
         return;
     assert((size_t)node->skin < gltf->skin_count);

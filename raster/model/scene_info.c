@@ -2,6 +2,7 @@
 
 #include "describe.h"
 #include "parallel.h"
+#include "tilelight/capture.h"
 #include "try.h"
 
 #include <stdlib.h>
@@ -49,8 +50,7 @@ tl_status tl_scene_describe(const char *path,
     TRY(tl_model_load(path, &at_rest, NULL, notices, &model, err));
     made.source = model;
     TRY(tl_model_lights(model, &made.lights, err));
-    TRY(tl_model_camera(model, NULL, TL_DESCRIBED_WIDTH, TL_DESCRIBED_HEIGHT, NULL, &camera,
-                        err));
+    TRY(tl_model_camera(model, NULL, TL_DEFAULT_WIDTH, TL_DEFAULT_HEIGHT, NULL, &camera, err));
     TRY(check_images(model, err));
     name_scene(model->gltf, &made);
     made.has_bounds = tl_model_bounds(model, made.low, made.high);

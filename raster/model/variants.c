@@ -4,20 +4,18 @@
 #include "try.h"
 
 #include <stdbool.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-static bool is_called(const tl_gltf *gltf, const char *wanted, int *out)
+/* By name first: a variant may be called "2". False: there is none. */
+static bool find_variant(const tl_gltf *gltf, const char *wanted, int *out)
 {
-    char *end;
+    size_t index;
     for (size_t i = 0; i < gltf->variant_count; i++)
         if (strcmp(gltf->variants[i], wanted) == 0) {
             *out = (int)i;
             return true;
         }
-    const long index = strtol(wanted, &end, 10);
-    if (end == wanted || *end != '\0' || index < 0 || (size_t)index >= gltf->variant_count)
+    if (!tl_index_of(wanted, gltf->variant_count, &index))
         return false;
     *out = (int)index;
     return true;
@@ -26,16 +24,15 @@ static bool is_called(const tl_gltf *gltf, const char *wanted, int *out)
 tl_status tl_find_variant(const tl_gltf *gltf, const char *wanted, int *out, tl_error *err)
 {
     char names[1024] = "";
-    size_t length = 0;
     *out = TL_NO_VARIANT;
-    if (!wanted || is_called(gltf, wanted, out))
+    if (!wanted || find_variant(gltf, wanted, out))
         return TL_OK;
     if (gltf->variant_count == 0)
         return tl_fail(err, TL_ERR_ARGUMENT,
                        "%s: has no variants of materials, so none can be chosen", gltf->path);
-    for (size_t i = 0; i < gltf->variant_count && length + 100 < sizeof names; i++)
-        length += (size_t)snprintf(names + length, sizeof names - length, "%s%s", i ? ", " : "",
-                                   tl_label_of("", i, gltf->variants[i]).text + 1);
+    for (size_t i = 0; i < gltf->variant_count; i++)
+        if (!tl_list_add(names, sizeof names, tl_label_of("", i, gltf->variants[i]).text))
+            break;
     return tl_fail(err, TL_ERR_ARGUMENT, "%s: has no variant \"%.64s\"; it has: %s", gltf->path,
                    wanted, names);
 }

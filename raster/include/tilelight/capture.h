@@ -12,10 +12,12 @@
 extern "C" {
 #endif
 
+/* px; and looks at a texture. */
+enum { TL_DEFAULT_WIDTH = 1280, TL_DEFAULT_HEIGHT = 720 };
 enum { TL_DEFAULT_ANISOTROPY = 16, TL_MAX_ANISOTROPY = 16 };
 
 typedef struct tl_capture_options {
-    uint32_t width, height; /* px of the picture; 0: 1280 x 720 */
+    uint32_t width, height; /* px of the picture; 0: the default ones */
     /* Of each pixel, a square number up to TL_MAX_SAMPLES; 0: 1. Width and height times its root are
      * TL_MAX_EXTENT at most. */
     uint32_t samples;
@@ -35,10 +37,10 @@ typedef struct tl_capture_options {
  * is replaced. timings, notices may be NULL. Pixels have been through no repair. Where the layout has no
  * place for metallic and roughness they become a Phong material (kernels/material.h); what else it has no
  * place for is named in a notice.
- * Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED (an extension the file requires; a layout whose
- * convention of depth this camera has not),
- * TL_ERR_ARGUMENT (size, samples, camera, anisotropy, time, animation, variant), TL_ERR_MEMORY or TL_ERR_DEVICE (OpenGL), naming the file and
- * the node, mesh, accessor, image or extension concerned. */
+ * Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED (an extension the file requires; a layout
+ * whose convention of depth this camera has not), TL_ERR_ARGUMENT (size, samples, camera, anisotropy,
+ * time, animation, variant), TL_ERR_MEMORY or TL_ERR_DEVICE (OpenGL), naming the file and the node,
+ * mesh, accessor, image or extension concerned. */
 tl_status tl_capture(const char *path,
                      const tl_capture_options *options,
                      tl_gbuffer **out,
