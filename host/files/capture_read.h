@@ -54,10 +54,10 @@ extern const size_t tl_capture_format_count;
 /* The format that recognises the file; NULL where none does, or it cannot be read. */
 const tl_capture_format *tl_capture_format_of(const char *path);
 
-/* Reads a capture by the table. Pixels are as the file has them: see tl_gbuffer_repair. The caller
- * releases *out with tl_captured_clear. Fails with TL_ERR_ARGUMENT where options of importing are given that
- * the format has no use for; else with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED or
- * TL_ERR_MEMORY. */
+/* Reads a capture by the table. Pixels are as the file has them: see tl_gbuffer_repair. The
+ * caller releases *out with tl_captured_clear. Fails with TL_ERR_ARGUMENT where options of
+ * importing are given that the format has no use for; else with TL_ERR_READ, TL_ERR_FORMAT,
+ * TL_ERR_UNSUPPORTED or TL_ERR_MEMORY. */
 tl_status tl_capture_read(const tl_capture_request *request, tl_captured *out, tl_error *err);
 
 /* Leaves it empty. Accepts an empty one. */

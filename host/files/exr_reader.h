@@ -43,7 +43,8 @@ bool tl_exr_reader_has_attribute(const tl_exr_reader *reader, const char *name);
  * file, so that a header of some bytes cannot take a machine's memory. */
 tl_status tl_exr_reader_check_size(const tl_exr_reader *reader, uint64_t size, tl_error *err);
 
-/* Reads the targets' channels, which have passed one of the two that require them. Fails as open does. */
+/* Reads the targets' channels, which have passed one of the two that require them. Fails as
+ * open does. */
 tl_status tl_exr_reader_pixels(tl_exr_reader *reader,
                                const tl_exr_target *targets,
                                size_t target_count,

@@ -18,8 +18,8 @@
 
 static const size_t largest_allocation = (size_t)1 << 30; /* bytes; what a header may ask for */
 
-/* Memory did run out, on whatever thread and stream. The library says so too of headers that ask for more
- * than is allowed, and of chunks whose packed sizes do not fit. */
+/* Memory did run out, on whatever thread and stream. The library says so too of headers that
+ * ask for more than is allowed, and of chunks whose packed sizes do not fit. */
 static atomic_bool ran_out;
 
 static void *bounded_allocation(size_t size)
@@ -51,8 +51,8 @@ static void keep_message(exr_const_context_t context, exr_result_t code, const c
     pthread_mutex_unlock(&stream->lock);
 }
 
-/* While writing, the library may report with its lock held, which asking it for the stream would wait for:
- * tl_exr_check then has the code's own words. */
+/* While writing, the library may report with its lock held, which asking it for the stream
+ * would wait for: tl_exr_check then has the code's own words. */
 static void drop_message(exr_const_context_t context, exr_result_t code, const char *message)
 {
     (void)context;

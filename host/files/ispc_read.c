@@ -18,8 +18,8 @@
 
 enum { HEADER_SIZE = 152, PIXEL_PLANES = 8, LIGHT_PLANES = 8, PLANES = 16 };
 
-/* Planes of lights, float each, behind those of pixels, which are the words of the layout. Positions are
- * in the example's view space: +z forward. */
+/* Planes of lights, float each, behind those of pixels, which are the words of the layout.
+ * Positions are in the example's view space: +z forward. */
 enum { LIGHT_X, LIGHT_Y, LIGHT_Z, LIGHT_BEGIN, LIGHT_R, LIGHT_G, LIGHT_B, LIGHT_END };
 
 typedef struct header {

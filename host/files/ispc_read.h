@@ -9,9 +9,10 @@
  * much is still said. */
 bool tl_ispc_recognises(const tl_capture_start *start);
 
-/* The header is held against the size of the file before anything is allocated by it. The G-buffer's words
- * are those of the file, but for pixels outside of the header's near and far, which become sky. Fails with
- * TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED or TL_ERR_MEMORY. */
+/* The header is held against the size of the file before anything is allocated by it. The
+ * G-buffer's words are those of the file, but for pixels outside of the header's near and far,
+ * which become sky. Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED or
+ * TL_ERR_MEMORY. */
 tl_status tl_ispc_read(const tl_capture_request *request, tl_captured *out, tl_error *err);
 
 #endif

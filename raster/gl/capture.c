@@ -58,7 +58,8 @@ static tl_status check_options(const tl_capture_options *options, tl_error *err)
     return TL_OK;
 }
 
-/* What of the scene the layout has a place for; metal-rough becomes Phong where it has none for that. */
+/* What of the scene the layout has a place for; metal-rough becomes Phong where it has none for
+ * that. */
 static uint32_t stored_planes(const tl_model *model,
                               enum tl_layout_name layout,
                               const tl_notices *notices)

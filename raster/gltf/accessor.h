@@ -53,8 +53,9 @@ enum tl_accessor_use {
 
 /* Reads an accessor for `use`, an enum tl_gltf_attribute or tl_accessor_use: *out is
  * [count][tl_accessor_width], owned by the caller. Integers become what the file means by them;
- * colours without alpha get 1. Fails with TL_ERR_FORMAT, naming `user` and the accessor: an index or a
- * range outside, a type that this use may not have, a value that is not finite; and as tl_budget_take. */
+ * colours without alpha get 1. Fails with TL_ERR_FORMAT, naming `user` and the accessor: an
+ * index or a range outside, a type that this use may not have, a value that is not finite; and
+ * as tl_budget_take. */
 tl_status tl_accessor_read(const tl_gltf *gltf,
                            const char *user,
                            int accessor,

@@ -17,8 +17,8 @@ static const struct {
     {"KHR_texture_transform", "offset, rotation and scale of texture coordinates"},
 };
 
-/* Those that are not, and what a picture lacks where a file has them without requiring them. NULL: nothing that
- * a picture could show, so they may be required too. */
+/* Those that are not, and what a picture lacks where a file has them without requiring them.
+ * NULL: nothing that a picture could show, so they may be required too. */
 static const struct {
     const char *name, *lack;
     const char *advice; /* where it is required; NULL: none */

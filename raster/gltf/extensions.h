@@ -10,8 +10,9 @@
 extern "C" {
 #endif
 
-/* Fails with TL_ERR_UNSUPPORTED at a required extension that is not supported, unless a picture is the same without
- * it; tells once, of each used one, what the picture lacks for want of it (the tables of extensions.c). */
+/* Fails with TL_ERR_UNSUPPORTED at a required extension that is not supported, unless a picture
+ * is the same without it; tells once, of each used one, what the picture lacks for want of it
+ * (the tables of extensions.c). */
 tl_status tl_gltf_check_extensions(const char *path,
                                    size_t required_count,
                                    const char *const *required,
@@ -20,7 +21,8 @@ tl_status tl_gltf_check_extensions(const char *path,
                                    const tl_notices *notices,
                                    tl_error *err);
 
-/* What becomes of an extension where a file uses it, as tl_scene_extension says it; *effect is a literal. */
+/* What becomes of an extension where a file uses it, as tl_scene_extension says it; *effect is
+ * a literal. */
 tl_extension_fate tl_gltf_extension_fate(const char *name, const char **effect);
 
 #ifdef __cplusplus

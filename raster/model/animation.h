@@ -23,8 +23,8 @@ tl_status tl_animation_pose(const tl_gltf *gltf,
                             tl_pose *out,
                             tl_error *err);
 
-/* When animation `index` of the file ends, s: its last key. Checks it as tl_animation_pose does, and fails
- * as that does. */
+/* When animation `index` of the file ends, s: its last key. Checks it as tl_animation_pose
+ * does, and fails as that does. */
 tl_status tl_animation_end(const tl_gltf *gltf, size_t index, double *seconds, tl_error *err);
 
 #endif

@@ -14,11 +14,12 @@ static void to_unit(double q[QUATERNION])
         q[i] /= length;
 }
 
-/* Spherical interpolation the short way: q and -q are one rotation, so the second is taken with the
- * sign that makes the angle a between them at most a right one. Its sine is then 0 only where both are the
- * same. The specification has a = acos|q0.q1|, which is not a number where rounding takes the product
- * beyond 1; a = 2 atan2(|q1 - q0|, |q1 + q0|) always is: W. Kahan, "How Futile are Mindless Assessments
- * of Roundoff in Floating-Point Computation?" (2006), section 12. */
+/* Spherical interpolation the short way: q and -q are one rotation, so the second is taken with
+ * the sign that makes the angle a between them at most a right one. Its sine is then 0 only
+ * where both are the same. The specification has a = acos|q0.q1|, which is not a number where
+ * rounding takes the product beyond 1; a = 2 atan2(|q1 - q0|, |q1 + q0|) always is: W. Kahan,
+ * "How Futile are Mindless Assessments of Roundoff in Floating-Point Computation?" (2006),
+ * section 12. */
 static void slerp(const double from[QUATERNION],
                   const double to[QUATERNION],
                   double t,

@@ -16,10 +16,10 @@ typedef struct tl_influences {
     tl_influence_set *sets;  /* [set_count], owned */
 } tl_influences;
 
-/* Reads all sets of a primitive with `count` vertices for a skin of `joint_count` joints. The caller
- * releases *out with tl_influences_clear whether it succeeds or not. Fails as tl_accessor_read does, and
- * with TL_ERR_FORMAT for a set without its half, no set at all, a joint that the skin has not and that
- * does move the vertex, or a negative weight. */
+/* Reads all sets of a primitive with `count` vertices for a skin of `joint_count` joints. The
+ * caller releases *out with tl_influences_clear whether it succeeds or not. Fails as
+ * tl_accessor_read does, and with TL_ERR_FORMAT for a set without its half, no set at all, a
+ * joint that the skin has not and that does move the vertex, or a negative weight. */
 tl_status tl_influences_read(const tl_gltf *gltf,
                              const char *user,
                              const tl_gltf_primitive *primitive,

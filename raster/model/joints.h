@@ -12,9 +12,10 @@ typedef struct tl_joints {
     double anchor[3];            /* in the world: where the first joint is */
 } tl_joints;
 
-/* The joints of skin `skin`, which the file has. The caller releases *out with tl_joints_clear whether it
- * succeeds or not. Fails as tl_accessor_read does, and with TL_ERR_FORMAT for no joints, joints that are
- * not in the scene, and inverse bind matrices that are too few or not affine. */
+/* The joints of skin `skin`, which the file has. The caller releases *out with tl_joints_clear
+ * whether it succeeds or not. Fails as tl_accessor_read does, and with TL_ERR_FORMAT for no
+ * joints, joints that are not in the scene, and inverse bind matrices that are too few or not
+ * affine. */
 tl_status tl_joints_open(const tl_gltf *gltf,
                          int skin,
                          const tl_placements *placements,

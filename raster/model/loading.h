@@ -43,10 +43,10 @@ tl_status tl_load_geometry(tl_model *model,
                            const tl_notices *notices,
                            tl_error *err);
 
-/* Reads the morph targets of a primitive and adds them to its vertices, weighted; weights: [target_count],
- * NULL: all 0; *work: bytes of displacements that may still be read. Fails as tl_accessor_read does,
- * with TL_ERR_FORMAT where targets do not fit the primitive or the sum is not finite, and with
- * TL_ERR_UNSUPPORTED beyond *work. */
+/* Reads the morph targets of a primitive and adds them to its vertices, weighted; weights:
+ * [target_count], NULL: all 0; *work: bytes of displacements that may still be read. Fails as
+ * tl_accessor_read does, with TL_ERR_FORMAT where targets do not fit the primitive or the sum
+ * is not finite, and with TL_ERR_UNSUPPORTED beyond *work. */
 tl_status tl_morph(const tl_gltf *gltf,
                    const char *user,
                    const tl_gltf_primitive *primitive,
@@ -76,9 +76,9 @@ tl_status tl_load_materials(tl_model *model, const tl_notices *notices, tl_error
  * file may need several. Parts without the map's coordinates stay without. Fails with TL_ERR_MEMORY. */
 tl_status tl_load_tangents(tl_model *model, tl_error *err);
 
-/* Moves the vertices of skinned meshes to where their joints are. Fails as tl_accessor_read does, and
- * with TL_ERR_FORMAT, naming skin or primitive, for joints outside the scene, and joints or weights that
- * no skinning can be done with. */
+/* Moves the vertices of skinned meshes to where their joints are. Fails as tl_accessor_read
+ * does, and with TL_ERR_FORMAT, naming skin or primitive, for joints outside the scene, and
+ * joints or weights that no skinning can be done with. */
 tl_status tl_load_skins(tl_model *model, const tl_placements *placements, tl_error *err);
 
 /* "mesh 2 ("door"), primitive 0", for messages. */

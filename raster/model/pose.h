@@ -38,8 +38,8 @@ void tl_pose_clear(tl_pose *pose);
 tl_status tl_pose_local(
     const tl_gltf *gltf, const tl_pose *pose, size_t index, tl_affine *out, tl_error *err);
 
-/* The morph targets of each primitive of a mesh, which has been through tl_pose_weights; before that, of
- * the first. */
+/* The morph targets of each primitive of a mesh, which has been through tl_pose_weights; before
+ * that, of the first. */
 size_t tl_mesh_target_count(const tl_gltf_mesh *mesh);
 
 /* The weights of the morph targets of node `index`: the animation's, else the node's, else the mesh's;

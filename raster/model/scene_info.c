@@ -7,8 +7,8 @@
 
 #include <stdlib.h>
 
-/* An image's header was read with the scene; whether the rest is whole shows when it is decoded. Not all of
- * them at once: that could take gigabytes. */
+/* An image's header was read with the scene; whether the rest is whole shows when it is
+ * decoded. Not all of them at once: that could take gigabytes. */
 static tl_status check_images(const tl_model *model, tl_error *err)
 {
     const size_t batch = 2 * (size_t)tl_thread_count();

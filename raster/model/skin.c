@@ -25,8 +25,8 @@ static size_t source_of(const tl_vertices *vertices, size_t vertex)
     return vertices->sources ? vertices->sources[vertex] : vertex;
 }
 
-/* The mean of the matrices of a vertex's joints, by their weights over the sum of these. A vertex without
- * weights, which no triangle has, is at the anchor. */
+/* The mean of the matrices of a vertex's joints, by their weights over the sum of these. A
+ * vertex without weights, which no triangle has, is at the anchor. */
 static tl_affine blend(const skinning *s, size_t source)
 {
     const double sum = tl_influences_sum(&s->influences, source);

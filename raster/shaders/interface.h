@@ -7,8 +7,8 @@
 #define ATTRIBUTE_TEXCOORD_0 3
 #define ATTRIBUTE_COLOR 11
 
-/* Sets of texture coordinates, from ATTRIBUTE_TEXCOORD_0 on. Few materials look at more than two, so shaders
- * for more are others. */
+/* Sets of texture coordinates, from ATTRIBUTE_TEXCOORD_0 on. Few materials look at more than
+ * two, so shaders for more are others. */
 #define MOST_SETS 8
 #define FEW_SETS 2
 #ifdef MANY_SETS

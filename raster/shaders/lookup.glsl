@@ -22,9 +22,9 @@ vec2 uv_of(int slot)
     return vec2(dot(uv_rows[2 * slot], st), dot(uv_rows[2 * slot + 1], st));
 }
 
-// A pixel's footprint on a texture, an ellipse (Heckbert, "Fundamentals of Texture Mapping and Image Warping",
-// 1989, section 3.4): what a circle of a pixel's width becomes under the derivatives, whose singular values
-// are its axes.
+// A pixel's footprint on a texture, an ellipse (Heckbert, "Fundamentals of Texture Mapping and
+// Image Warping", 1989, section 3.4): what a circle of a pixel's width becomes under the
+// derivatives, whose singular values are its axes.
 struct footprint {
     float longest, shortest; // texels
     vec2 along;              // of the longest, in texture coordinates
@@ -45,12 +45,13 @@ footprint footprint_of(vec2 uv, vec2 size)
                      length2 > 0.0 ? direction * inversesqrt(length2) * longest / size : vec2(0.0));
 }
 
-// The mean of up to `anisotropy` looks along the footprint, each at the level whose texels are as wide as
-// the footprint is, or wider where that many looks would leave gaps. The looks' own width and their spread make
-// up its length, so a round footprint gets one look, and one that is hardly longer than wide hardly differs.
+// The mean of up to `anisotropy` looks along the footprint, each at the level whose texels are
+// as wide as the footprint is, or wider where that many looks would leave gaps. The looks' own
+// width and their spread make up its length, so a round footprint gets one look, and one that
+// is hardly longer than wide hardly differs.
 //
-// OpenGL's own filter is not asked: llvmpipe's (Mesa 22.3) takes every degree for the highest, and blurs where a
-// texel is as large as a pixel.
+// OpenGL's own filter is not asked: llvmpipe's (Mesa 22.3) takes every degree for the highest,
+// and blurs where a texel is as large as a pixel.
 vec4 look_up(sampler2D map, int slot)
 {
     vec2 uv = uv_of(slot);

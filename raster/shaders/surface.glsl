@@ -69,10 +69,11 @@ surface visible_surface()
         discard;
 #endif
 #ifdef UNLIT
-    // KHR_materials_unlit: what it shows it sends out. A metal without colour is what reflects exactly nothing
-    // (kernels/material.h): no diffuse light, for it is a metal, and no highlight, for a metal's has its colour.
-    return surface(view_position, shading_normal(), vec3(0.0), vec3(0.0), clamp(base.rgb, 0.0, 1.0), 0.0,
-                   1.0, 1.0, 1.0);
+    // KHR_materials_unlit: what it shows it sends out. A metal without colour is what reflects
+    // exactly nothing (kernels/material.h): no diffuse light, for it is a metal, and no
+    // highlight, for a metal's has its colour.
+    return surface(view_position, shading_normal(), vec3(0.0), vec3(0.0),
+                   clamp(base.rgb, 0.0, 1.0), 0.0, 1.0, 1.0, 1.0);
 #endif
 #ifdef HAS_METALLIC_ROUGHNESS
     vec4 rough = look_up(metallic_roughness_texture, SLOT_METALLIC_ROUGHNESS);

@@ -49,8 +49,8 @@ static bool is_called(const char *name, const char *wanted, bool may_have_layers
            strcasecmp(name + length - end, wanted) == 0;
 }
 
-/* The channel in the same part whose name differs in its last letter alone; channel_count where there is
- * none. */
+/* The channel in the same part whose name differs in its last letter alone; channel_count where
+ * there is none. */
 static uint32_t find_sibling(const tl_source *source, uint32_t channel, char last)
 {
     const tl_source_channel *of = &source->channels[channel];

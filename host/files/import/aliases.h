@@ -7,10 +7,11 @@
 
 /* X(plane, name, program, space of normals and positions, attribute)
  *
- * A channel is called NAME, or NAME and a component behind a dot; letter case is ignored, and layers may
- * stand in front ("ViewLayer.Normal.X") of names of more than one letter. A part's name counts as a
- * layer. Earlier rows win. A row with an attribute holds in files alone that have one which begins so:
- * its name means something else to other programs (Arnold's `diffuse` is light, not colour). */
+ * A channel is called NAME, or NAME and a component behind a dot; letter case is ignored, and
+ * layers may stand in front ("ViewLayer.Normal.X") of names of more than one letter. A part's
+ * name counts as a layer. Earlier rows win. A row with an attribute holds in files alone that
+ * have one which begins so: its name means something else to other programs (Arnold's `diffuse`
+ * is light, not colour). */
 #define TL_ALIASES(X)                                                                  \
     X(TL_IMPORT_DEPTH, "Z", "Arnold, V-Ray, Redshift, tilelight", TL_SPACE_AUTO, NULL) \
     X(TL_IMPORT_DEPTH, "Depth", "Blender", TL_SPACE_AUTO, NULL)                        \

@@ -1,5 +1,5 @@
-/* Where the camera of a capture stands, and which rays it sees: from options, from attributes that say it
- * for sure, or not at all. */
+/* Where the camera of a capture stands, and which rays it sees: from options, from attributes
+ * that say it for sure, or not at all. */
 #include "camera_attributes.h"
 #include "plan.h"
 #include "try.h"

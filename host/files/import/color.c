@@ -54,8 +54,8 @@ static void xyz_of(double x, double y, double out[3])
     out[2] = (1.0 - x - y) / y;
 }
 
-/* XYZ from linear RGB: SMPTE RP 177, section 3.3. Columns are the primaries, scaled so that 1 1 1 is white
- * with Y = 1. */
+/* XYZ from linear RGB: SMPTE RP 177, section 3.3. Columns are the primaries, scaled so that
+ * 1 1 1 is white with Y = 1. */
 static bool xyz_from_rgb(const double c[8], double out[9])
 {
     double primaries[9], inverse[9], white[3], scales[3];

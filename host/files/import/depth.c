@@ -104,8 +104,8 @@ static void depth_rows(void *context, size_t begin, size_t end)
         }
 }
 
-/* How many pixels positions of a space lie off the pixels that they belong to, in the mean; and INFINITY
- * where there are none. */
+/* How many pixels positions of a space lie off the pixels that they belong to, in the mean; and
+ * INFINITY where there are none. */
 static double offset_of_positions(const depth_work *w, tl_import_space space)
 {
     const tl_camera *c = &w->frame->gbuffer->camera;

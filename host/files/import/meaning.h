@@ -16,8 +16,8 @@ typedef struct tl_importing {
     tl_import_counts counts;
 } tl_importing;
 
-/* Makes the depth plane m along the view axis, +infinity for sky, and NaN where it was NaN; counts. Fails
- * with TL_ERR_ARGUMENT where the kind of depth needs what was not given. */
+/* Makes the depth plane m along the view axis, +infinity for sky, and NaN where it was NaN;
+ * counts. Fails with TL_ERR_ARGUMENT where the kind of depth needs what was not given. */
 tl_status tl_import_depth(tl_importing *f, tl_error *err);
 
 /* The camera's near and far, where nothing says them: half the least depth, twice the most. */
@@ -30,11 +30,11 @@ void tl_import_normals(tl_importing *f);
  * no colours. */
 tl_status tl_import_color(const tl_importing *f, tl_import_plane plane, tl_error *err);
 
-/* The matrix from linear RGB of these chromaticities to linear Rec. 709: row-major, for columns. x, y of
- * red, green, blue, white. False where they span no colours. */
+/* The matrix from linear RGB of these chromaticities to linear Rec. 709: row-major, for
+ * columns. x, y of red, green, blue, white. False where they span no colours. */
 bool tl_color_matrix(const double chromaticities[8], double out[9]);
 
-/* Through the centre of a pixel: x, y, z per unit of depth. Orthographic: x and y in m, z is 0. */
+/* The ray through the centre of a pixel: x and y per unit of depth; orthographic: in m. */
 void tl_pixel_ray(const tl_camera *camera, uint32_t x, uint32_t y, double out[2]);
 
 /* A grid over width x height pixels, or fewer where there are fewer: enough to tell how numbers are

@@ -7,11 +7,13 @@
 /* Depths of neighbours that differ by more lie on two surfaces. */
 static const double largest_step = 0.05;
 
-/* What a program is known to write is kept unless something else fits the depths by so much better, as a
- * mean cosine; where nothing is known, what fits best is taken, and world for as good. */
+/* What a program is known to write is kept unless something else fits the depths by so much
+ * better, as a mean cosine; where nothing is known, what fits best is taken, and world for as
+ * good. */
 static const double clear_difference = 0.3, any_difference = 0.02;
 
-/* Shading normals of curved and bumpy surfaces are off the depths' by less than 45 degrees in the mean. */
+/* Shading normals of curved and bumpy surfaces are off the depths' by less than 45 degrees in
+ * the mean. */
 static const double poor_fit = 0.7;
 
 /* How normals may be meant: a space, and a sign. */

@@ -26,7 +26,8 @@ static bool is_among(const uint32_t *channels, size_t count, uint32_t channel)
     return false;
 }
 
-/* What is left of the part of item `first`, each channel once: one that is wanted twice is read again. */
+/* What is left of the part of item `first`, each channel once: one that is wanted twice is read
+ * again. */
 static tl_status read_part(
     tl_reading *reading, size_t first, tl_source *source, size_t pitch, tl_error *err)
 {

@@ -1,7 +1,7 @@
-/* PFM files as sources: "PF" (three numbers) or "Pf" (one), width, height, a scale whose sign says the
- * order of bytes (negative: the lowest first), then float rows from the bottom up. Described by Paul
- * Debevec, "PFM portable floatmap image format", 2003. The size of the scale is not applied: writers put
- * anything there. */
+/* PFM files as sources: "PF" (three numbers) or "Pf" (one), width, height, a scale whose sign
+ * says the order of bytes (negative: the lowest first), then float rows from the bottom up.
+ * Described by Paul Debevec, "PFM portable floatmap image format", 2003. The size of the scale
+ * is not applied: writers put anything there. */
 #include "size_limit.h"
 #include "source.h"
 #include "tilelight/camera.h"

@@ -30,8 +30,9 @@ uint32_t tl_samples_side(uint32_t samples);
 
 typedef struct tl_gbuffer {
     tl_camera camera;
-    /* Of each pixel of the picture that it is lit to (tl_image_resolve): every sample is a pixel here, and has its
-     * own surface. The camera counts samples: its width and height are multiples of their side. */
+    /* Of each pixel of the picture that it is lit to (tl_image_resolve): every sample is a
+     * pixel here, and has its own surface. The camera counts samples: its width and height are
+     * multiples of their side. */
     uint32_t samples;
     enum tl_layout_name layout;
     uint32_t
@@ -39,15 +40,15 @@ typedef struct tl_gbuffer {
     uint32_t
         pitch;     /* pixels from row to row: at least camera.width, a multiple of TL_PADDING */
     uint32_t rows; /* camera.height up to a multiple of TL_PADDING */
-    /* How far stored positions lie off the rays of their pixels at most: x/depth and y/depth, or m
-     * under an orthographic camera. 0 where the layout stores depth. Of positions, infinite until
-     * tl_gbuffer_repair has found it: lighting is right then too, but culls by the boxes of tiles alone,
-     * without rectangles. Whoever writes positions afterwards makes it infinite again, or repairs
-     * anew; a slack that is too small loses lights. */
+    /* How far stored positions lie off the rays of their pixels at most: x/depth and y/depth,
+     * or m under an orthographic camera. 0 where the layout stores depth. Of positions,
+     * infinite until tl_gbuffer_repair has found it: lighting is right then too, but culls by
+     * the boxes of tiles alone, without rectangles. Whoever writes positions afterwards makes
+     * it infinite again, or repairs anew; a slack that is too small loses lights. */
     float slack_x, slack_y;
-    /* Planes that say in every pixel what their absence would: bit p for plane p, colours whole. 0 until
-     * tl_gbuffer_repair has found them; lighting does not read them. Whoever writes planes afterwards
-     * makes it 0 again, or repairs anew. */
+    /* Planes that say in every pixel what their absence would: bit p for plane p, colours
+     * whole. 0 until tl_gbuffer_repair has found them; lighting does not read them. Whoever
+     * writes planes afterwards makes it 0 again, or repairs anew. */
     uint32_t neutral;
     unsigned char
         *planes; /* [tl_gbuffer_pixel_size][rows * pitch] bytes, plane after plane, aligned
@@ -63,9 +64,9 @@ typedef struct tl_plane_group {
 enum { TL_PLANE_GROUP_COUNT = 6 };
 extern const tl_plane_group tl_plane_groups[TL_PLANE_GROUP_COUNT];
 
-/* In full float; every pixel is sky, and a sample of its own. The caller releases *out with tl_gbuffer_destroy. Fails with
- * TL_ERR_ARGUMENT (tl_camera_check; an incomplete group in `present`; both the Phong and the
- * metal-rough group) or TL_ERR_MEMORY. */
+/* In full float; every pixel is sky, and a sample of its own. The caller releases *out with
+ * tl_gbuffer_destroy. Fails with TL_ERR_ARGUMENT (tl_camera_check; an incomplete group in
+ * `present`; both the Phong and the metal-rough group) or TL_ERR_MEMORY. */
 tl_status tl_gbuffer_create(const tl_camera *camera,
                             uint32_t present,
                             tl_gbuffer **out,
@@ -102,10 +103,11 @@ typedef struct tl_repairs {
     uint64_t value;  /* another plane not finite, negative, or above its range: made 0 or cut */
 } tl_repairs;
 
-/* Makes every pixel safe to light, and sky pixels hold the values of `TL_PLANES` for nothing hit; of any
- * layout, by what kernels read in float and in double. Finds the slack of stored positions, and which planes are neutral. On all
- * threads. *out may be NULL. With `strict`, fails with TL_ERR_FORMAT at the first pixel that would need
- * it, naming pixel and channel (of a packed one the attribute), and `name` (a file) in front. */
+/* Makes every pixel safe to light, and sky pixels hold the values of `TL_PLANES` for nothing
+ * hit; of any layout, by what kernels read in float and in double. Finds the slack of stored
+ * positions, and which planes are neutral. On all threads. *out may be NULL. With `strict`,
+ * fails with TL_ERR_FORMAT at the first pixel that would need it, naming pixel and channel (of
+ * a packed one the attribute), and `name` (a file) in front. */
 tl_status tl_gbuffer_repair(
     tl_gbuffer *gbuffer, const char *name, bool strict, tl_repairs *out, tl_error *err);
 

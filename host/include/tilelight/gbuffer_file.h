@@ -10,29 +10,29 @@ extern "C" {
 #endif
 
 /* Writes the G-buffer, in its layout, with a preview in R, G, B, A, and `lights` (may be NULL)
- * inside, on all threads, uncompressed. Under a temporary name beside `path`, synced, then renamed: whatever
- * happens, `path` is the old file, the new one, or absent. Fails with TL_ERR_WRITE or
- * TL_ERR_MEMORY. */
+ * inside, on all threads, uncompressed. Under a temporary name beside `path`, synced, then
+ * renamed: whatever happens, `path` is the old file, the new one, or absent. Fails with
+ * TL_ERR_WRITE or TL_ERR_MEMORY. */
 tl_status tl_gbuffer_write(const char *path,
                            const tl_gbuffer *gbuffer,
                            const tl_light_set *lights,
                            tl_error *err);
 
 /* Reads what tl_gbuffer_write wrote, whatever its compression. Storage kind, sizes and channels
- * are checked before anything is allocated by them. The layout is the file's. The caller releases
- * *out with tl_gbuffer_destroy, and *lights (may be NULL) with tl_light_set_clear; *has_lights (may be NULL)
- * says whether the file brought any. Pixels are as the file has them: see tl_gbuffer_repair.
- * Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED or TL_ERR_MEMORY, naming the file and
- * the channel or attribute. */
+ * are checked before anything is allocated by them. The layout is the file's. The caller
+ * releases *out with tl_gbuffer_destroy, and *lights (may be NULL) with tl_light_set_clear;
+ * *has_lights (may be NULL) says whether the file brought any. Pixels are as the file has them:
+ * see tl_gbuffer_repair. Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED or
+ * TL_ERR_MEMORY, naming the file and the channel or attribute. */
 tl_status tl_gbuffer_read(
     const char *path, tl_gbuffer **out, tl_light_set *lights, bool *has_lights, tl_error *err);
 
-/* Whether an OpenEXR file is a G-buffer of tilelight's, of whatever version: what tl_gbuffer_read is for.
- * Fails as it does, for a file that is no OpenEXR file. */
+/* Whether an OpenEXR file is a G-buffer of tilelight's, of whatever version: what
+ * tl_gbuffer_read is for. Fails as it does, for a file that is no OpenEXR file. */
 tl_status tl_gbuffer_is_own(const char *path, bool *out, tl_error *err);
 
-/* The lights inside a G-buffer's file alone. *lights and *has_lights as tl_gbuffer_read has them; fails as
- * it does. */
+/* The lights inside a G-buffer's file alone. *lights and *has_lights as tl_gbuffer_read has
+ * them; fails as it does. */
 tl_status tl_gbuffer_read_lights(const char *path,
                                  tl_light_set *lights,
                                  bool *has_lights,

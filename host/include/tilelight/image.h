@@ -28,11 +28,12 @@ void tl_image_destroy(tl_image *image);
 /* Plane 0, 1 or 2: [rows][pitch], owned by the image. */
 float *tl_image_plane(const tl_image *image, unsigned channel);
 
-/* A picture of samples to one of pixels: each is the mean of its side x side samples, radiance as it is, before
- * exposure and tone. Summed in double from the top left, row by row, and rounded once: equal samples keep their
- * value, and the bits do not depend on the number of threads. What is not finite makes its own pixel so. width
- * and height of `from` are multiples of side. On all threads. The caller releases *out with tl_image_destroy. Fails
- * with TL_ERR_MEMORY. */
+/* A picture of samples to one of pixels: each is the mean of its side x side samples, radiance
+ * as it is, before exposure and tone. Summed in double from the top left, row by row, and
+ * rounded once: equal samples keep their value, and the bits do not depend on the number of
+ * threads. What is not finite makes its own pixel so. width and height of `from` are multiples
+ * of side. On all threads. The caller releases *out with tl_image_destroy. Fails with
+ * TL_ERR_MEMORY. */
 tl_status tl_image_resolve(const tl_image *from, uint32_t side, tl_image **out, tl_error *err);
 
 /* Tone curves: from exposed linear radiance to display-linear [0, 1], per channel.

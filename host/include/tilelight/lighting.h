@@ -158,13 +158,13 @@ tl_status tl_lighting_create(tl_device *device,
 /* Accepts NULL. */
 void tl_lighting_destroy(tl_lighting *lighting);
 
-/* Lights one frame, of any layout, that tl_gbuffer_repair has been through. *image has the G-buffer's
- * size and is written in full. A user's kernel is given full float: for it a packed frame is unpacked
- * first, anew for every frame. Compiles kernels where the scene needs ones it has not needed before; allocates
- * only where a frame is larger, or has more lights, than every one before. A frame that does not
- * fit memory_limit is lit in bands of tile rows, with the same bits. timings, notices, counts may
- * be NULL. Fails with TL_ERR_ARGUMENT (sizes differ; one row of tiles is beyond memory_limit),
- * TL_ERR_DEVICE or TL_ERR_MEMORY. */
+/* Lights one frame, of any layout, that tl_gbuffer_repair has been through. *image has the
+ * G-buffer's size and is written in full. A user's kernel is given full float: for it a packed
+ * frame is unpacked first, anew for every frame. Compiles kernels where the scene needs ones it
+ * has not needed before; allocates only where a frame is larger, or has more lights, than every
+ * one before. A frame that does not fit memory_limit is lit in bands of tile rows, with the
+ * same bits. timings, notices, counts may be NULL. Fails with TL_ERR_ARGUMENT (sizes differ;
+ * one row of tiles is beyond memory_limit), TL_ERR_DEVICE or TL_ERR_MEMORY. */
 tl_status tl_lighting_run(tl_lighting *lighting,
                           const tl_gbuffer *gbuffer,
                           const tl_light_set *lights,
@@ -177,8 +177,9 @@ tl_status tl_lighting_run(tl_lighting *lighting,
 /* What the last frame called for, and why. *out is all zero before the first. Cannot fail. */
 void tl_lighting_explain(const tl_lighting *lighting, tl_explanation *out);
 
-/* Of each tile of the last frame, how many lights with a range it lists: [tiles_y][tiles_x], until the next
- * frame; on the CPU paths, which have no lists, all of them. NULL unless the options ask to keep it. */
+/* Of each tile of the last frame, how many lights with a range it lists: [tiles_y][tiles_x],
+ * until the next frame; on the CPU paths, which have no lists, all of them. NULL unless the
+ * options ask to keep it. */
 const uint32_t *tl_lighting_tile_lights(const tl_lighting *lighting);
 
 /* What the kernels of the last frame were built with, as the OpenCL compiler was given it; empty where

@@ -25,22 +25,23 @@ typedef struct tl_capture_options {
     const char *variant; /* of materials, name or index; NULL: the file's own materials */
     enum tl_layout_name layout; /* how pixels are packed; 0 is full float */
     uint32_t anisotropy; /* where there are mipmaps, 1 (off) to 16; 0: TL_DEFAULT_ANISOTROPY */
-    /* When: an animation of the file, by name or index, at a time in s; without both the scene is as the
-     * file has it. NULL: the first. Beyond its end it is at its end, which is told. */
+    /* When: an animation of the file, by name or index, at a time in s; without both the scene
+     * is as the file has it. NULL: the first. Beyond its end it is at its end, which is
+     * told. */
     const char *animation;
     double time;
     bool has_time; /* false: time is 0 where an animation is named */
 } tl_capture_options;
 
-/* Loads `path` (.gltf, .glb), renders its default scene into a G-buffer, and collects its lights.
- * The caller releases *out with tl_gbuffer_destroy and *lights with tl_light_set_clear; *lights
- * is replaced. timings, notices may be NULL. Pixels have been through no repair. Where the layout has no
- * place for metallic and roughness they become a Phong material (kernels/material.h); what else it has no
- * place for is named in a notice.
- * Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED (an extension the file requires; a layout
- * whose convention of depth this camera has not), TL_ERR_ARGUMENT (size, samples, camera, anisotropy,
- * time, animation, variant), TL_ERR_MEMORY or TL_ERR_DEVICE (OpenGL), naming the file and the node,
- * mesh, accessor, image or extension concerned. */
+/* Loads `path` (.gltf, .glb), renders its default scene into a G-buffer, and collects its
+ * lights. The caller releases *out with tl_gbuffer_destroy and *lights with tl_light_set_clear;
+ * *lights is replaced. timings, notices may be NULL. Pixels have been through no repair. Where
+ * the layout has no place for metallic and roughness they become a Phong material
+ * (kernels/material.h); what else it has no place for is named in a notice. Fails with
+ * TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED (an extension the file requires; a layout
+ * whose convention of depth this camera has not), TL_ERR_ARGUMENT (size, samples, camera,
+ * anisotropy, time, animation, variant), TL_ERR_MEMORY or TL_ERR_DEVICE (OpenGL), naming the
+ * file and the node, mesh, accessor, image or extension concerned. */
 tl_status tl_capture(const char *path,
                      const tl_capture_options *options,
                      tl_gbuffer **out,

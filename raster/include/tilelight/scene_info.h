@@ -1,5 +1,5 @@
-/* What a glTF scene holds, and what a capture of it can choose from: said without rendering, and without
- * OpenGL. */
+/* What a glTF scene holds, and what a capture of it can choose from: said without rendering,
+ * and without OpenGL. */
 #ifndef TL_SCENE_INFO_H
 #define TL_SCENE_INFO_H
 
@@ -118,9 +118,10 @@ typedef struct tl_scene_info {
     void *source;        /* what names belong to, owned */
 } tl_scene_info;
 
-/* Reads `path` (.gltf, .glb) as tl_capture does, checks all that it checks, and describes the default scene
- * at rest, in the file's own materials. The caller releases *out with tl_scene_info_clear. notices may be
- * NULL. Fails as tl_capture with default options does, in the same words, but for OpenGL. */
+/* Reads `path` (.gltf, .glb) as tl_capture does, checks all that it checks, and describes the
+ * default scene at rest, in the file's own materials. The caller releases *out with
+ * tl_scene_info_clear. notices may be NULL. Fails as tl_capture with default options does, in
+ * the same words, but for OpenGL. */
 tl_status tl_scene_describe(const char *path,
                             const tl_notices *notices,
                             tl_scene_info *out,
