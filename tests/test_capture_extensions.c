@@ -101,6 +101,28 @@ static void unknown_variants_are_refused(void **state)
     }
 }
 
+/* As many as fit a sentence, and that there are more. */
+static void long_lists_of_variants_are_cut(void **state)
+{
+    tl_capture_options options = plain;
+    char many[8192] = "\"fog\"}";
+    shot taken;
+    (void)state;
+    for (size_t i = 4; i < 200; i++)
+        sprintf(many + strlen(many), ",{\"name\":\"a name of some length %zu\"}", i);
+    char *const text = edited(scene_of_variants(), "\"fog\"}", many);
+    options.variant = "dusk";
+    assert_int_equal(shoot_text("extensions", text, &options, &taken), TL_ERR_ARGUMENT);
+    assert_non_null(
+        strstr(taken.err.message, "it has: 0 (\"day\"), 1 (\"night\"), 2 (\"snow\"), "));
+    const char *const last = strrchr(taken.err.message, ',');
+    assert_non_null(last);
+    assert_memory_equal(last + strlen(last) - 6, "\") ...", 7);
+    assert_in_range(strlen(taken.err.message), 900, 1200);
+    shot_clear(&taken);
+    free(text);
+}
+
 /* --- extensions that are left out -------------------------------------------------------------- */
 
 /* words: what the notice must have besides the name; NULL: none is due, and the file may require it. */
@@ -194,6 +216,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(variants_choose_materials),
         cmocka_unit_test(unknown_variants_are_refused),
+        cmocka_unit_test(long_lists_of_variants_are_cut),
         cmocka_unit_test(what_is_left_out_is_told_once),
         cmocka_unit_test(what_is_required_is_had_or_refused),
         cmocka_unit_test(missing_coordinates_are_told),
