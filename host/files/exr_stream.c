@@ -76,23 +76,13 @@ static int64_t read_at(exr_const_context_t context,
                        exr_stream_error_func_ptr_t report)
 {
     tl_exr_stream *stream = data;
-    uint64_t done = 0;
+    size_t got;
     (void)context;
     (void)report; /* tl_exr_check has the words */
-    while (done < size) {
-        const ssize_t got = pread(stream->descriptor, (char *)buffer + done, size - done,
-                                  (off_t)(offset + done));
-        if (got < 0 && errno == EINTR)
-            continue;
-        if (got < 0) {
-            keep_error_number(stream, errno);
-            return -1;
-        }
-        if (got == 0)
-            break;
-        done += (uint64_t)got;
-    }
-    return (int64_t)done;
+    if (tl_regular_file_read_at(stream->descriptor, buffer, size, offset, &got))
+        return (int64_t)got;
+    keep_error_number(stream, errno);
+    return -1;
 }
 
 /* Has the kernel write out what has filled since, so that the sync at the end finds little to do:

@@ -52,20 +52,12 @@ bool tl_ispc_recognises(const tl_capture_start *start)
 static tl_status read_at(
     int file, const char *path, void *to, size_t size, uint64_t offset, tl_error *err)
 {
-    unsigned char *at = to;
-    while (size > 0) {
-        const ssize_t got = pread(file, at, size, (off_t)offset);
-        if (got < 0 && errno == EINTR)
-            continue;
-        if (got < 0)
-            return tl_fail(err, TL_ERR_READ, "%s: cannot be read: %s", path, strerror(errno));
-        if (got == 0)
-            return tl_fail(err, TL_ERR_FORMAT, "%s: is cut short: it ends at byte %" PRIu64,
-                           path, offset);
-        at += got;
-        size -= (size_t)got;
-        offset += (uint64_t)got;
-    }
+    size_t got;
+    if (!tl_regular_file_read_at(file, to, size, offset, &got))
+        return tl_fail(err, TL_ERR_READ, "%s: cannot be read: %s", path, strerror(errno));
+    if (got < size)
+        return tl_fail(err, TL_ERR_FORMAT, "%s: is cut short: it ends at byte %" PRIu64, path,
+                       offset + got);
     return TL_OK;
 }
 

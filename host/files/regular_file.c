@@ -24,6 +24,21 @@ tl_status tl_regular_file_open(const char *path, int *descriptor, uint64_t *size
     return TL_OK;
 }
 
+bool tl_regular_file_read_at(
+    int descriptor, void *to, size_t size, uint64_t offset, size_t *got)
+{
+    for (*got = 0; *got < size;) {
+        const ssize_t count =
+            pread(descriptor, (char *)to + *got, size - *got, (off_t)(offset + *got));
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count <= 0)
+            return count == 0;
+        *got += (size_t)count;
+    }
+    return true;
+}
+
 tl_status tl_regular_file_start(
     const char *path, void *bytes, size_t room, size_t *got, uint64_t *size, tl_error *err)
 {
@@ -31,10 +46,8 @@ tl_status tl_regular_file_start(
     tl_status status = tl_regular_file_open(path, &descriptor, size, err);
     if (status != TL_OK)
         return status;
-    const ssize_t count = pread(descriptor, bytes, room, 0);
-    if (count < 0)
+    if (!tl_regular_file_read_at(descriptor, bytes, room, 0, got))
         TRY(tl_fail(err, TL_ERR_READ, "%s: cannot be read: %s", path, strerror(errno)));
-    *got = (size_t)count;
 done:
     close(descriptor);
     return status;
