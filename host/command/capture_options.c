@@ -68,8 +68,7 @@ static const struct argp_option options_table[] = {
      0},
     {"anisotropy", OPTION_ANISOTROPY, "N", 0,
      "Looks at a texture that is seen aslant, at most: 1, 2, 4, 8 or 16 (default 16; with 1 it "
-     "blurs). "
-     "For textures with mipmaps",
+     "blurs). For textures with mipmaps",
      0},
     {0},
 };

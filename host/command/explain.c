@@ -29,8 +29,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
 static const struct argp_option options_table[] = {
     {"explain", OPTION_EXPLAIN, NULL, 0,
      "Say which effects the frame called for and why, what was left out, what was built and "
-     "how "
-     "much work it was, on standard error or in --json (docs/effects.md)",
+     "how much work it was, on standard error or in --json (docs/effects.md)",
      0},
     {"explain-map", OPTION_MAP, "FILE.png", 0,
      "A picture of how many lights each tile lists; standard error says what its colours mean",

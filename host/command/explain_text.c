@@ -1,5 +1,6 @@
 #include "explain_text.h"
 
+#include "light_fields.h"
 #include "printable.h"
 
 #include <inttypes.h>
@@ -8,12 +9,6 @@
 #include <string.h>
 
 enum { MOST_TEXT = 512 };
-
-static const char *const model_words[] = {
-#define MODEL_WORD(name, word, factors, source) [name] = word,
-    TL_MODELS(MODEL_WORD)
-#undef MODEL_WORD
-};
 
 static const struct {
     const char *word, *why;
@@ -109,7 +104,7 @@ static void add_setting(char *text, const job *j, tl_cause cause)
     switch (cause) {
     case TL_CAUSE_AMBIENT: add_color(text, "ambient light", j->lights.ambient); return;
     case TL_CAUSE_SKY: add_color(text, "sky", j->lights.sky); return;
-    case TL_CAUSE_MODEL: add(text, "shading model %s", model_words[j->lights.model]); return;
+    case TL_CAUSE_MODEL: add(text, "shading model %s", tl_model_words[j->lights.model]); return;
     default: add(text, "%s", tl_cause_rows[cause].what); return;
     }
 }

@@ -1,5 +1,6 @@
 #include "info.h"
 #include "json_values.h"
+#include "light_fields.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -8,12 +9,6 @@ static const char *const type_words[] = {
 #define TYPE_WORD(name, word) [name] = word,
     TL_LIGHT_TYPES(TYPE_WORD)
 #undef TYPE_WORD
-};
-
-static const char *const model_words[] = {
-#define MODEL_WORD(name, word, factors, source) [name] = word,
-    TL_MODELS(MODEL_WORD)
-#undef MODEL_WORD
 };
 
 /* Of the lights of one type. Ranges: over those that have one. */
@@ -46,7 +41,7 @@ void info_print_lights(const tl_light_set *set)
     printf("lights      %zu, ambient (%.6g, %.6g, %.6g), sky (%.6g, %.6g, %.6g)\n", set->count,
            (double)set->ambient[0], (double)set->ambient[1], (double)set->ambient[2],
            (double)set->sky[0], (double)set->sky[1], (double)set->sky[2]);
-    printf("model       %s\n", model_words[set->model]);
+    printf("model       %s\n", tl_model_words[set->model]);
     for (tl_light_type type = 0; type < TL_LIGHT_TYPE_COUNT; type++) {
         const type_info info = type_info_of(set, type);
         if (info.count == 0)
@@ -83,5 +78,5 @@ json_t *info_lights_json(const tl_light_set *set)
     }
     return json_pack("{sI so so ss so}", "count", (json_int_t)set->count, "ambient",
                      tl_json_numbers(set->ambient, 3), "sky", tl_json_numbers(set->sky, 3),
-                     "model", model_words[set->model], "types", types);
+                     "model", tl_model_words[set->model], "types", types);
 }

@@ -1,6 +1,7 @@
 #include "job_light.h"
 
 #include "console.h"
+#include "light_fields.h"
 #include "try.h"
 
 /* Of a precision: whether it runs on an OpenCL device. */
@@ -51,17 +52,12 @@ static void report_counts(job *j, const tl_lighting_counts *c)
 /* Of lights that a file brought, not the user: which shading model came with them, where it is not ours. */
 static void tell_model(const job *j)
 {
-    static const char *const words[] = {
-#define MODEL_WORD(name, word, factors, source) [name] = word,
-        TL_MODELS(MODEL_WORD)
-#undef MODEL_WORD
-    };
     if (!j->lights_given && j->lights.model != TL_MODEL_PHONG)
         tl_notice(
             &console_notices,
             "lit by the shading model that came with the lights, %s; --lights FILE brings "
             "others",
-            words[j->lights.model]);
+            tl_model_words[j->lights.model]);
 }
 
 /* The picture of samples becomes one of pixels. */

@@ -147,8 +147,7 @@ static const struct argp_option options_table[] = {
      0},
     {"curve", OPTION_CURVE, "CURVE", 0,
      "From that range to the codes of a PNG (default srgb, or what a capture of another "
-     "program "
-     "asks for)." TL_CURVES(CURVE_HELP),
+     "program asks for)." TL_CURVES(CURVE_HELP),
      0},
     {"exr", OPTION_EXR, "float|half", 0, "Numbers in EXRs (default float)", 0},
     {0},
