@@ -37,8 +37,14 @@ typedef struct tl_frame {
     tl_u32 has_cells;            /* 1: lights are listed by cell first */
     float depth_slope, depth_offset; /* from stored depth to metres: depth_code.h */
     float slack_x, slack_y; /* stored positions off their rays, at most: x/depth or m */
+    /* Sections behind the lights and their cones: where each begins, in rows of 16 bytes from the start
+     * of the buffer of lights. 0: the frame has none. */
+    tl_u32 brdfs_at, shapes_at, sky_at;
+    tl_u32 reserved; /* 0 */
 } tl_frame;
-TL_STATIC_ASSERT(sizeof(tl_frame) == 160, frame_is_ten_rows);
+TL_STATIC_ASSERT(sizeof(tl_frame) == 176, frame_is_eleven_rows);
+
+#define TL_SECTION_ROW 16 /* bytes */
 
 #define TL_MAX_BOXES 2 /* per tile */
 

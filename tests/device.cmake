@@ -1,6 +1,7 @@
 # What the device computes, and the formulas behind it.
 tl_test(test_tile_rect unit tl_frame)
 tl_test(test_spot_culling unit tl_frame)
+tl_test(test_sections unit tl_frame)
 tl_test(test_specular_rounding unit tl_frame)
 target_compile_options(test_specular_rounding PRIVATE -Wno-double-promotion)
 tl_test(test_frame_layout device tl_lighting)

@@ -3,6 +3,7 @@
 #include "falloff.h"
 #include "layout.h"
 #include "scene_causes.h"
+#include "sections.h"
 #include "spot_cone.h"
 #include "view.h"
 
@@ -209,15 +210,14 @@ static tl_status reserve_lights(tl_prepared *prepared, size_t count, tl_error *e
         return tl_fail(err, TL_ERR_ARGUMENT, "%zu lights: at most 2^31 are lit", count);
     if (count <= prepared->capacity)
         return TL_OK;
-    tl_view_light *lights =
-        realloc(prepared->lights, count * (sizeof *lights + sizeof(tl_view_spot)));
-    prepared->lights = lights ? lights : prepared->lights;
     uint32_t *sources = realloc(prepared->sources, count * sizeof *sources);
-    prepared->sources = sources ? sources : prepared->sources;
-    if (!lights || !sources)
+    if (!sources)
         return tl_fail(err, TL_ERR_MEMORY, "out of memory for %zu lights", count);
-    prepared->capacity = count;
-    return TL_OK;
+    prepared->sources = sources;
+    const tl_status status = tl_sections_reserve(prepared, count * TL_LIGHT_AND_CONE, err);
+    if (status == TL_OK)
+        prepared->capacity = count;
+    return status;
 }
 
 tl_status tl_prepare(const tl_gbuffer *gbuffer,
@@ -233,6 +233,7 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
     prepared->frame = frame_of(gbuffer, lights, options);
     prepared->explanation = tl_causes_of_frame(gbuffer, lights, options->effects);
     prepared->two_colored_count = 0;
+    prepared->sections_size = 0;
     prepared->spots = (tl_view_spot *)(prepared->lights + lights->count);
     collect(&gbuffer->camera, lights, options, 1, prepared);
     collect(&gbuffer->camera, lights, options, 0, prepared);
@@ -248,9 +249,10 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
 
 size_t tl_prepared_lights_size(const tl_prepared *prepared)
 {
-    const size_t each =
-        sizeof(tl_view_light) + (prepared->needs.spots ? sizeof(tl_view_spot) : 0);
-    return prepared->frame.light_count * each;
+    const size_t count = prepared->frame.light_count;
+    if (prepared->sections_size > 0)
+        return count * TL_LIGHT_AND_CONE + prepared->sections_size;
+    return count * (prepared->needs.spots ? TL_LIGHT_AND_CONE : sizeof(tl_view_light));
 }
 
 void tl_prepared_clear(tl_prepared *prepared)

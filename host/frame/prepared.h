@@ -15,9 +15,12 @@ typedef struct tl_prepared {
     tl_frame frame;
     tl_needs needs;
     tl_view_light *lights; /* [frame.light_count]; owned */
-    tl_view_spot *spots;   /* [frame.light_count], behind the lights in their memory */
-    uint32_t *sources;     /* [frame.light_count], of each its index in the light set; owned */
-    size_t capacity;       /* lights that there is room for */
+    tl_view_spot *
+        spots; /* [frame.light_count], behind the lights in their memory; sections behind them */
+    uint32_t *sources;    /* [frame.light_count], of each its index in the light set; owned */
+    size_t capacity;      /* lights that there is room for in `sources` */
+    size_t memory_size;   /* bytes at `lights` */
+    size_t sections_size; /* bytes of the sections behind the cones: sections.h */
     uint32_t two_colored_count; /* lights that add something, with lobes of different colours */
     tl_explanation explanation; /* where `needs` comes from */
 } tl_prepared;
@@ -40,8 +43,8 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
                      tl_prepared *prepared,
                      tl_error *err);
 
-/* Bytes of prepared->lights that a device is given: the lights, and where there are spots the cones behind
- * them. */
+/* Bytes of prepared->lights that a device is given: the lights, and where there are spots or sections the
+ * cones behind them, and the sections. */
 size_t tl_prepared_lights_size(const tl_prepared *prepared);
 
 /* Leaves it all zero. */
