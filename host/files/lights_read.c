@@ -1,11 +1,10 @@
 #include "tilelight/lights.h"
 
 #include "light_fields.h"
-#include "suggest.h"
+#include "light_values.h"
 #include "try.h"
 #include "whole_file.h"
 
-#include <jansson.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -14,20 +13,14 @@
 
 enum { KNOWN_VERSION = 1, MAX_LIGHTS = 10000000, MAX_WORDS = 32 };
 
-/* Where a value stands, for sentences: "lights.json: lights[3] "key"" or the file alone. */
-typedef struct place {
-    const char *source;
-    char light[96]; /* "" outside lights */
-} place;
-
-static place place_of_light(const char *source, size_t index, const json_t *light)
+static tl_place place_of_light(const char *source, size_t index, const json_t *light)
 {
-    place at = {.source = source};
+    tl_place at = {.source = source};
     const char *name = json_string_value(json_object_get(light, "name"));
     if (name && name[0])
-        snprintf(at.light, sizeof at.light, " lights[%zu] \"%.60s\":", index, name);
+        snprintf(at.inside, sizeof at.inside, " lights[%zu] \"%.60s\":", index, name);
     else
-        snprintf(at.light, sizeof at.light, " lights[%zu]:", index);
+        snprintf(at.inside, sizeof at.inside, " lights[%zu]:", index);
     return at;
 }
 
@@ -42,19 +35,7 @@ static const struct {
 };
 enum { LATER_COUNT = sizeof later_fields / sizeof later_fields[0] };
 
-static tl_status unknown_field(const place *at,
-                               const char *key,
-                               const char *const *words,
-                               size_t word_count,
-                               tl_error *err)
-{
-    const char *meant = tl_suggest(key, words, word_count);
-    return tl_fail(err, TL_ERR_FORMAT, "%s:%s unknown field \"%.64s\"%s%s%s", at->source,
-                   at->light, key, meant ? "; did you mean \"" : "", meant ? meant : "",
-                   meant ? "\"?" : "");
-}
-
-static tl_status check_later(const place *at,
+static tl_status check_later(const tl_place *at,
                              const char *key,
                              const json_t *value,
                              tl_error *err)
@@ -70,104 +51,26 @@ static tl_status check_later(const place *at,
             return TL_OK;
         return tl_fail(err, TL_ERR_UNSUPPORTED,
                        "%s:%s field \"%s\" is not supported by this version; remove it",
-                       at->source, at->light, key);
+                       at->source, at->inside, key);
     }
     for (size_t i = 0; i < TL_LIGHT_FIELD_COUNT; i++)
         words[word_count++] = tl_light_fields[i].name;
     for (size_t i = 0; i < LATER_COUNT; i++)
         words[word_count++] = later_fields[i].name;
-    return unknown_field(at, key, words, word_count, err);
-}
-
-static tl_status read_number(
-    const place *at, const char *field, const json_t *value, float *out, tl_error *err)
-{
-    if (!json_is_number(value))
-        return tl_fail(err, TL_ERR_FORMAT, "%s:%s \"%s\" must be a number", at->source,
-                       at->light, field);
-    const float number = (float)json_number_value(value);
-    if (!isfinite(number))
-        return tl_fail(err, TL_ERR_FORMAT,
-                       "%s:%s \"%s\" is %g: larger than a float holds (3.4e38)", at->source,
-                       at->light, field, json_number_value(value));
-    *out = number;
-    return TL_OK;
-}
-
-static tl_status read_vector(
-    const place *at, const char *field, const json_t *value, float out[3], tl_error *err)
-{
-    tl_status status = TL_OK;
-    float read[3];
-    if (!json_is_array(value) || json_array_size(value) != 3)
-        TRY(tl_fail(err, TL_ERR_FORMAT, "%s:%s \"%s\" must be an array of three numbers",
-                    at->source, at->light, field));
-    for (size_t i = 0; i < 3; i++)
-        TRY(read_number(at, field, json_array_get(value, i), &read[i], err));
-    memcpy(out, read, sizeof read);
-done:
-    return status;
-}
-
-/* A direction that was of length 1 before it was rounded to float is kept as it is, so that what
- * tl_lights_format wrote reads back bit for bit: rounding, and normalising in float, move the
- * squared length by less than 16 * 2^-24. */
-static tl_status read_unit(
-    const place *at, const char *field, const json_t *value, float out[3], tl_error *err)
-{
-    static const double rounding = 1e-6;
-    tl_status status = TL_OK;
-    float read[3];
-    TRY(read_vector(at, field, value, read, err));
-    const double x = (double)read[0], y = (double)read[1], z = (double)read[2];
-    const double length2 = x * x + y * y + z * z;
-    if (!(length2 > 0.0))
-        TRY(tl_fail(err, TL_ERR_FORMAT, "%s:%s \"%s\" has no length: it points nowhere",
-                    at->source, at->light, field));
-    const double scale = fabs(length2 - 1.0) <= rounding ? 1.0 : 1.0 / sqrt(length2);
-    for (int i = 0; i < 3; i++)
-        out[i] = (float)((double)read[i] * scale);
-done:
-    return status;
-}
-
-/* The index of a word among `words`. */
-static tl_status read_word(const place *at,
-                           const char *field,
-                           const json_t *value,
-                           const char *const *words,
-                           int word_count,
-                           int *out,
-                           tl_error *err)
-{
-    const char *word = json_string_value(value);
-    char known[128] = "";
-    for (int i = 0; i < word_count; i++) {
-        if (word && strcmp(word, words[i]) == 0) {
-            *out = i;
-            return TL_OK;
-        }
-        const size_t used = strlen(known);
-        snprintf(known + used, sizeof known - used, "%s\"%s\"", i == 0 ? "" : ", ", words[i]);
-    }
-    if (!word)
-        return tl_fail(err, TL_ERR_FORMAT, "%s:%s \"%s\" must be one of %s", at->source,
-                       at->light, field, known);
-    return tl_fail(err, TL_ERR_FORMAT, "%s:%s unknown %s \"%.64s\"; it must be one of %s",
-                   at->source, at->light, field, word, known);
+    return tl_unknown_field(at, key, words, word_count, err);
 }
 
 static tl_status read_falloff(
-    const place *at, const char *field, const json_t *value, tl_falloff *out, tl_error *err)
+    const tl_place *at, const char *field, const json_t *value, tl_falloff *out, tl_error *err)
 {
     int index = 0;
     const char *word = json_string_value(value);
     if (word && strcmp(word, "lut") == 0)
         return tl_fail(err, TL_ERR_UNSUPPORTED,
                        "%s:%s falloff \"lut\" is not supported by this version", at->source,
-                       at->light);
+                       at->inside);
     const tl_status status =
-        read_word(at, field, value, tl_falloff_words, TL_FALLOFF_COUNT, &index, err);
+        tl_read_word(at, field, value, tl_falloff_words, TL_FALLOFF_COUNT, &index, err);
     if (status == TL_OK)
         *out = (tl_falloff)index;
     return status;
@@ -175,12 +78,12 @@ static tl_status read_falloff(
 
 /* Names are for messages: a long one is cut, between characters of UTF-8. */
 static tl_status read_name(
-    const place *at, const char *field, const json_t *value, char out[64], tl_error *err)
+    const tl_place *at, const char *field, const json_t *value, char out[64], tl_error *err)
 {
     const char *name = json_string_value(value);
     if (!name)
         return tl_fail(err, TL_ERR_FORMAT, "%s:%s \"%s\" must be a string", at->source,
-                       at->light, field);
+                       at->inside, field);
     size_t length = strlen(name);
     if (length > sizeof(tl_light){0}.name - 1)
         length = sizeof(tl_light){0}.name - 1;
@@ -191,7 +94,7 @@ static tl_status read_name(
     return TL_OK;
 }
 
-static tl_status read_field(const place *at,
+static tl_status read_field(const tl_place *at,
                             const tl_light_field *field,
                             const json_t *value,
                             tl_light *light,
@@ -199,9 +102,9 @@ static tl_status read_field(const place *at,
 {
     void *to = (char *)light + field->offset;
     switch (field->kind) {
-    case TL_FIELD_NUMBER: return read_number(at, field->name, value, to, err);
-    case TL_FIELD_VECTOR: return read_vector(at, field->name, value, to, err);
-    case TL_FIELD_UNIT: return read_unit(at, field->name, value, to, err);
+    case TL_FIELD_NUMBER: return tl_read_number(at, field->name, value, to, err);
+    case TL_FIELD_VECTOR: return tl_read_vector(at, field->name, value, to, err);
+    case TL_FIELD_UNIT: return tl_read_unit(at, field->name, value, to, err);
     case TL_FIELD_FALLOFF: return read_falloff(at, field->name, value, to, err);
     case TL_FIELD_NAME: break;
     }
@@ -210,7 +113,7 @@ static tl_status read_field(const place *at,
 
 /* One "key": value of a light whose type is known. */
 static tl_status read_member(
-    const place *at, const char *key, const json_t *value, tl_light *light, tl_error *err)
+    const tl_place *at, const char *key, const json_t *value, tl_light *light, tl_error *err)
 {
     if (strcmp(key, "type") == 0)
         return TL_OK;
@@ -220,7 +123,7 @@ static tl_status read_member(
             continue;
         if (!(field->types >> light->type & 1))
             return tl_fail(err, TL_ERR_FORMAT, "%s:%s a %s light has no \"%s\"; remove it",
-                           at->source, at->light, tl_light_type_words[light->type], key);
+                           at->source, at->inside, tl_light_type_words[light->type], key);
         return read_field(at, field, value, light, err);
     }
     return check_later(at, key, value, err);
@@ -230,23 +133,23 @@ static tl_status read_light(
     const char *source, size_t index, json_t *object, tl_light *out, tl_error *err)
 {
     tl_status status = TL_OK;
-    const place at = place_of_light(source, index, object);
+    const tl_place at = place_of_light(source, index, object);
     tl_light light = tl_light_default();
     int type = 0;
     const char *key;
     json_t *value;
 
     if (!json_is_object(object))
-        TRY(tl_fail(err, TL_ERR_FORMAT, "%s:%s must be an object", source, at.light));
-    TRY(read_word(&at, "type", json_object_get(object, "type"), tl_light_type_words,
-                  TL_LIGHT_TYPE_COUNT, &type, err));
+        TRY(tl_fail(err, TL_ERR_FORMAT, "%s:%s must be an object", source, at.inside));
+    TRY(tl_read_word(&at, "type", json_object_get(object, "type"), tl_light_type_words,
+                     TL_LIGHT_TYPE_COUNT, &type, err));
     light.type = (tl_light_type)type;
     json_object_foreach(object, key, value) TRY(read_member(&at, key, value, &light, err));
     for (size_t i = 0; i < TL_LIGHT_FIELD_COUNT; i++) {
         const tl_light_field *field = &tl_light_fields[i];
         if (field->is_required && (field->types >> type & 1) &&
             !json_object_get(object, field->name))
-            TRY(tl_fail(err, TL_ERR_FORMAT, "%s:%s a %s light needs \"%s\"", source, at.light,
+            TRY(tl_fail(err, TL_ERR_FORMAT, "%s:%s a %s light needs \"%s\"", source, at.inside,
                         tl_light_type_words[type], field->name));
     }
     *out = light;
@@ -254,7 +157,10 @@ done:
     return status;
 }
 
-static tl_status read_lights(const place *at, json_t *array, tl_light_set *set, tl_error *err)
+static tl_status read_lights(const tl_place *at,
+                             json_t *array,
+                             tl_light_set *set,
+                             tl_error *err)
 {
     tl_status status = TL_OK;
     size_t i;
@@ -274,17 +180,20 @@ done:
     return status;
 }
 
-static tl_status read_ambient(const place *at, json_t *value, tl_light_set *set, tl_error *err)
+static tl_status read_ambient(const tl_place *at,
+                              json_t *value,
+                              tl_light_set *set,
+                              tl_error *err)
 {
-    return read_vector(at, "ambient", value, set->ambient, err);
+    return tl_read_vector(at, "ambient", value, set->ambient, err);
 }
 
-static tl_status read_sky(const place *at, json_t *sky, tl_light_set *set, tl_error *err)
+static tl_status read_sky(const tl_place *at, json_t *sky, tl_light_set *set, tl_error *err)
 {
     static const char *const words[] = {"type", "color"};
     static const char *const later[] = {"gradient", "latlong"};
     tl_status status = TL_OK;
-    const place in_sky = {.source = at->source, .light = " sky:"};
+    const tl_place in_sky = {.source = at->source, .inside = " sky:"};
     const char *type = json_string_value(json_object_get(sky, "type"));
     const char *key;
     json_t *value;
@@ -304,15 +213,18 @@ static tl_status read_sky(const place *at, json_t *sky, tl_light_set *set, tl_er
                     type));
     json_object_foreach(sky, key,
                         value) if (strcmp(key, "type") != 0 && strcmp(key, "color") != 0)
-        TRY(unknown_field(&in_sky, key, words, 2, err));
+        TRY(tl_unknown_field(&in_sky, key, words, 2, err));
     if (!json_object_get(sky, "color"))
         TRY(tl_fail(err, TL_ERR_FORMAT, "%s: a constant sky needs \"color\"", at->source));
-    TRY(read_vector(&in_sky, "color", json_object_get(sky, "color"), set->sky, err));
+    TRY(tl_read_vector(&in_sky, "color", json_object_get(sky, "color"), set->sky, err));
 done:
     return status;
 }
 
-static tl_status read_version(const place *at, json_t *value, tl_light_set *set, tl_error *err)
+static tl_status read_version(const tl_place *at,
+                              json_t *value,
+                              tl_light_set *set,
+                              tl_error *err)
 {
     (void)set;
     if (!json_is_integer(value))
@@ -325,24 +237,24 @@ static tl_status read_version(const place *at, json_t *value, tl_light_set *set,
     return TL_OK;
 }
 
-static tl_status read_materials(const place *at,
+static tl_status read_materials(const tl_place *at,
                                 json_t *materials,
                                 tl_light_set *set,
                                 tl_error *err)
 {
     static const char *const words[] = {"model"};
     tl_status status = TL_OK;
-    const place inside = {.source = at->source, .light = " materials:"};
+    const tl_place inside = {.source = at->source, .inside = " materials:"};
     const char *key;
     json_t *value;
     int index = set->model;
     if (!json_is_object(materials))
         TRY(tl_fail(err, TL_ERR_FORMAT, "%s: \"materials\" must be an object", at->source));
     json_object_foreach(materials, key, value) if (strcmp(key, "model") != 0)
-        TRY(unknown_field(&inside, key, words, 1, err));
+        TRY(tl_unknown_field(&inside, key, words, 1, err));
     value = json_object_get(materials, "model");
     if (value)
-        TRY(read_word(&inside, "model", value, tl_model_words, TL_MODEL_COUNT, &index, err));
+        TRY(tl_read_word(&inside, "model", value, tl_model_words, TL_MODEL_COUNT, &index, err));
     set->model = (enum tl_shading_model)index;
 done:
     return status;
@@ -352,7 +264,7 @@ static tl_status read_top(const char *source, json_t *root, tl_light_set *set, t
 {
     static const struct {
         const char *name;
-        tl_status (*read)(const place *at, json_t *value, tl_light_set *set, tl_error *err);
+        tl_status (*read)(const tl_place *at, json_t *value, tl_light_set *set, tl_error *err);
     } members[] = {{"tilelight", read_version},
                    {"ambient", read_ambient},
                    {"sky", read_sky},
@@ -360,7 +272,7 @@ static tl_status read_top(const char *source, json_t *root, tl_light_set *set, t
                    {"materials", read_materials}};
     enum { MEMBER_COUNT = sizeof members / sizeof members[0] };
     tl_status status = TL_OK;
-    const place at = {.source = source};
+    const tl_place at = {.source = source};
     const char *words[MEMBER_COUNT], *key;
     json_t *value;
 
@@ -378,7 +290,7 @@ static tl_status read_top(const char *source, json_t *root, tl_light_set *set, t
         while (i < MEMBER_COUNT && strcmp(key, members[i].name) != 0)
             i++;
         if (i == MEMBER_COUNT)
-            TRY(unknown_field(&at, key, words, MEMBER_COUNT, err));
+            TRY(tl_unknown_field(&at, key, words, MEMBER_COUNT, err));
         TRY(members[i].read(&at, value, set, err));
     }
 done:
