@@ -218,7 +218,8 @@ static void image_never_changes(void **state)
                 for (int cull = 0; cull < TL_CULL_COUNT; cull++) {
                     const tl_lighting_options options = {.cull = (tl_cull)cull,
                                                          .tile_size = tiles[t],
-                                                         .vector_width = widths[w]};
+                                                         .vector_width = widths[w],
+                                                         .effects = TL_EFFECTS_ALL};
                     compare(*state, &options, g, lights, want);
                 }
         for (size_t s = 0; s < COUNT_OF(scenes); s++) {
