@@ -204,6 +204,40 @@ static void starts_are_measured(void **state)
     json_decref(root);
 }
 
+/* By the twin, which compiles nothing. */
+static void effects_are_measured(void **state)
+{
+    static const char *const lists[] = {"frames", "unused"}, *const sides[] = {"chosen",
+                                                                               "with"};
+    (void)state;
+    const program_run *run =
+        expect_run("$T bench --effects --size 32x16 --precision twin --samples 2 --seconds 0 "
+                   "--json e.json",
+                   0, "pictures: the same bits in every pair", "");
+    assert_non_null(strstr(run->out, "\nsun "));
+    json_t *root = read_json("e.json");
+    for (size_t k = 0; k < COUNT_OF(lists); k++) {
+        char path[128];
+        snprintf(path, sizeof path, "effects.%s", lists[k]);
+        const json_t *list = at(root, path);
+        assert_true(json_array_size(list) >= (k ? 12 : 5));
+        for (size_t i = 0; i < json_array_size(list); i++) {
+            const json_t *row = json_array_get(list, i);
+            assert_summary(row, "ratio", 2.0);
+            assert_summary(row, "processor_ratio", 2.0);
+            snprintf(path, sizeof path, "%s.frame_ms", sides[k]);
+            assert_summary(row, path, 2.0);
+            assert_true(json_is_true(at(row, "same_bits")));
+        }
+    }
+    assert_true(number_at(root, "effects.gain_of_plainest") > 0.0);
+    assert_true(number_at(root, "effects.most_of_unused") > 0.0);
+    json_decref(root);
+    expect_run("$T bench --effects --material full", 2, "",
+               "--effects has frames of its own; leave out --material");
+    expect_run("$T bench --effects --tile 8,16", 2, "", "one word of each axis");
+}
+
 static void standard_output_is_the_report_alone(void **state)
 {
     (void)state;
@@ -232,6 +266,7 @@ int main(void)
         cmocka_unit_test(slower_cases_are_found),
         cmocka_unit_test(ratios_have_their_keys),
         cmocka_unit_test(starts_are_measured),
+        cmocka_unit_test(effects_are_measured),
         cmocka_unit_test(standard_output_is_the_report_alone),
     };
     return cmocka_run_group_tests(tests, enter_folder, NULL);

@@ -3,6 +3,7 @@
 #include "bench_session.h"
 #include "commands.h"
 #include "console.h"
+#include "effect_frames.h"
 #include "try.h"
 
 #include <stdio.h>
@@ -42,10 +43,21 @@ static void list_scenes_and_baselines(void)
                tl_baselines[i]->source);
 }
 
+static void list_effect_frames(void)
+{
+    puts("\nFrames of --effects, from the plainest to the richest:");
+    for (int i = 0; i < tl_effect_frame_count; i++)
+        printf("  %-15s %s\n", tl_effect_frame_about(i).name, tl_effect_frame_about(i).meaning);
+    puts("\nEffects of --effects that no tile uses:");
+    for (int i = 0; i < tl_unused_effect_count; i++)
+        printf("  %-15s %s\n", tl_unused_effect_about(i).name,
+               tl_unused_effect_about(i).meaning);
+}
+
 static tl_status (*const modes[])(bench_session *session, tl_error *err) = {
-    [BENCH_CASES] = bench_run_cases,   [BENCH_BASELINES] = bench_run_baselines,
-    [BENCH_GROWTH] = bench_run_growth, [BENCH_STARTUP] = bench_run_startup,
-    [BENCH_KERNEL] = bench_run_kernel,
+    [BENCH_CASES] = bench_run_cases,     [BENCH_BASELINES] = bench_run_baselines,
+    [BENCH_GROWTH] = bench_run_growth,   [BENCH_STARTUP] = bench_run_startup,
+    [BENCH_EFFECTS] = bench_run_effects, [BENCH_KERNEL] = bench_run_kernel,
 };
 
 static tl_status run(bench_session *session, const bench_options *options, tl_error *err)
@@ -55,6 +67,7 @@ static tl_status run(bench_session *session, const bench_options *options, tl_er
         list_axes();
         list_sets();
         list_scenes_and_baselines();
+        list_effect_frames();
         goto done;
     }
     TRY(bench_session_begin(session, options, err));

@@ -19,6 +19,7 @@ enum {
     OPTION_QUICK,
     OPTION_GROWTH,
     OPTION_STARTUP,
+    OPTION_EFFECTS,
     OPTION_LIST,
     OPTION_CSV,
     OPTION_JSON,
@@ -53,10 +54,15 @@ static void check_together(const bench_options *options, struct argp_state *stat
         (options->lists.of[TL_AXIS_LAYOUT] || options->lists.of[TL_AXIS_AGAINST]))
         argp_error(state, "--layout and --against are for cases: all else lights full float");
     if (options->kernel.file && options->mode != BENCH_KERNEL && options->mode != BENCH_LIST)
-        argp_error(state, "--kernel excludes --baselines, --growth and --startup");
+        argp_error(state, "--kernel excludes --baselines, --effects, --growth and --startup");
     if (options->mode == BENCH_GROWTH && options->lists_given)
         argp_error(state,
                    "--growth has points of its own; of the axes it takes --device alone");
+    for (int axis = TL_AXIS_SCENE; axis <= TL_AXIS_RANGE && options->mode == BENCH_EFFECTS;
+         axis++)
+        if (options->lists.of[axis] && axis != TL_AXIS_SIZE)
+            argp_error(state, "--effects has frames of its own; leave out --%s",
+                       tl_bench_axes[axis].name);
     if (options->fail_if_slower && !options->compare)
         argp_error(state, "--fail-if-slower is for --compare");
 }
@@ -64,7 +70,9 @@ static void check_together(const bench_options *options, struct argp_state *stat
 static error_t choose_mode(bench_options *options, bench_mode mode, struct argp_state *state)
 {
     if (options->mode != BENCH_CASES && options->mode != mode)
-        argp_error(state, "--baselines, --growth, --startup and --list exclude one another");
+        argp_error(
+            state,
+            "--baselines, --effects, --growth, --startup and --list exclude one another");
     options->mode = mode;
     return 0;
 }
@@ -95,6 +103,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
     case OPTION_BASELINES: return choose_mode(options, BENCH_BASELINES, state);
     case OPTION_CAPTURE: options->capture = text; return 0;
     case OPTION_STARTUP: return choose_mode(options, BENCH_STARTUP, state);
+    case OPTION_EFFECTS: return choose_mode(options, BENCH_EFFECTS, state);
     case OPTION_GROWTH: return choose_mode(options, BENCH_GROWTH, state);
     case OPTION_QUICK: options->quick = true; return 0;
     case OPTION_LIST: return choose_mode(options, BENCH_LIST, state);
@@ -138,6 +147,13 @@ static const struct argp_option fixed_options[] = {
      "With --baselines: in less than 45 s where kernels are compiled; what takes more than a "
      "second a frame is sampled once, and then has no interval",
      1},
+    {"effects", OPTION_EFFECTS, NULL, 0,
+     "Light five frames, from the plainest to the richest, with the effects that they call for "
+     "and "
+     "with all of them; and frames with an effect that no tile uses, and without it. Pictures "
+     "are "
+     "compared bit for bit",
+     1},
     {"growth", OPTION_GROWTH, NULL, 0,
      "From 64 to 65536 lights and from 640x360 to 7680x4320 pixels: what a frame's time and "
      "memory "
@@ -150,13 +166,15 @@ static const struct argp_option fixed_options[] = {
      1},
     {NULL, 0, NULL, 0, "Sampling:", 3},
     {"samples", OPTION_SAMPLES, "N", 0,
-     "At least so many frames a case, after one that warms up (default 10; with --growth 5)",
+     "At least so many frames a case, after one that warms up (default 10; with --growth 5, "
+     "--effects "
+     "30)",
      3},
     {"deviation", OPTION_DEVIATION, "PERCENT", 0,
      "Enough when half the median's 95 % interval is below this (default 1)", 3},
     {"seconds", OPTION_SECONDS, "S", 0,
      "Or when this long a time has passed (default 2; with --baselines 8, --quick 1.5, "
-     "--growth 3)",
+     "--growth 3, --effects 4)",
      3},
     {NULL, 0, NULL, 0, "Results:", 4},
     {"json", OPTION_JSON, "FILE", 0, "All there is, as one JSON object (- is standard output)",

@@ -14,6 +14,7 @@ typedef enum bench_mode {
     BENCH_BASELINES,
     BENCH_GROWTH,
     BENCH_STARTUP,
+    BENCH_EFFECTS,
     BENCH_KERNEL,
     BENCH_LIST
 } bench_mode;
