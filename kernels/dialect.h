@@ -209,4 +209,7 @@ TL_INLINE real AS_REAL(integer i)
 }
 #endif
 
+#define NO_LANE ((mask)0)
+#define EVERY_LANE ((mask)0 == (mask)0)
+
 #endif

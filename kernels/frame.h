@@ -79,4 +79,19 @@ typedef struct tl_view_spot {
 } tl_view_spot;
 TL_STATIC_ASSERT(sizeof(tl_view_spot) == 32, view_spot_is_two_rows);
 
+/* How a surface reflects whose pixels say so: a row of the table that planes of indices lead to. What is
+ * not given is the pixel's own. */
+typedef struct tl_brdf {
+    tl_u32 model;      /* a row of models.h */
+    tl_u32 given;      /* what of this replaces the pixel's: bits of tl_brdf_parameter */
+    float exponent;    /* 0 to 10000 */
+    float k;           /* Minnaert's exponent */
+    float diffuse[3];  /* linear Rec. 709 */
+    float roughness;   /* 0 to 1, as artists see it; along the direction where they are two */
+    float specular[3]; /* linear Rec. 709 */
+    float across;      /* roughness at right angles to the direction */
+    float direction[3], unused; /* world space, of any length */
+} tl_brdf;
+TL_STATIC_ASSERT(sizeof(tl_brdf) == 64, brdf_is_four_rows);
+
 #endif

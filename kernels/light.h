@@ -10,25 +10,13 @@
 #define TL_LIGHT_H
 
 #include "falloff.h"
-#include "needs.h"
+#include "lobes.h"
 #include "reach.h"
-#include "specular.h"
 #include "spot.h"
 
 /* Nearer than 1e-12 m a light is in the surface point: float positions in metres tell no direction
  * there, and squares of what they differ by vanish. */
 #define TL_LEAST_DISTANCE2 R(1e-24)
-
-typedef struct surface {
-    vec3 position, normal, to_eye; /* view space, m; the last two unit, or normal 0 */
-    real shininess;
-    real lobe_scale; /* with one colour: what the lobe adds, as a share of diffuse light */
-} surface;
-
-/* Light received, per lobe: the surface's colours multiply after the last light. */
-typedef struct received {
-    vec3 diffuse, specular;
-} received;
 
 /* How a surface sees a light in direction l, which is as long as the light is far. */
 typedef struct approach {
@@ -58,13 +46,6 @@ TL_INLINE vec3 add_diffuse(vec3 diffuse,
     const real arriving = pick(above, weight * cosine, R(0.0));
     *seen = lobe_has(needs, TL_LOBE_COSINE) ? arriving : pick(above, weight, R(0.0));
     return needs.one_color ? diffuse : fma3(color, arriving, diffuse);
-}
-
-/* The half vector is taken |l| times as long as usual, l + |l| v, so that it does not wait for the
- * division. */
-TL_INLINE half_angle highlight_angle(surface s, vec3 l, real length)
-{
-    return angle_of(s.normal, fma3(s.to_eye, length, l));
 }
 
 /* What the lobe's power is multiplied by, 0 where the half vector is not above the surface. */
@@ -130,9 +111,33 @@ may_be_lit(tl_needs needs, tl_view_light light, tl_view_spot spot, vec3 l, appro
     return needs.spots ? near & in_cone(spot, l, a.distance2) : near;
 }
 
-/* A point or spot light with a range: its diffuse lobe. A lane adds exactly 0 unless it is within reach
- * and cone itself and the light is above its surface: which other pixels share the vector must not show
- * in the image. A light in the surface point itself, where no direction exists, adds 0. */
+/* What comes from a light, of what its colours say, in lanes of `lit`. */
+typedef struct arrival {
+    real distance, per_distance; /* m; 1 of a directional light */
+    real weight;
+    mask lit;
+} arrival;
+
+/* Of a point or spot light with a range. A lane adds exactly 0 unless it is within reach and cone itself
+ * and the light is above its surface: which other pixels share the vector must not show in the image. A
+ * light in the surface point itself, where no direction exists, adds 0. */
+TL_INLINE arrival
+ranged_arrival(tl_needs needs, surface s, tl_view_light light, tl_view_spot spot, approach a)
+{
+    arrival from;
+    from.distance = SQRT(a.distance2);
+    from.per_distance = R(1.0) / from.distance;
+    from.lit = reaches(light, a.distance2) & (a.distance2 > TL_LEAST_DISTANCE2);
+    from.weight = fade_of(needs, light, a.distance2, from.distance, from.per_distance);
+    if (needs.spots) {
+        const vec3 l = vector_to_light(s.position, light);
+        from.lit = from.lit & in_cone(spot, l, a.distance2);
+        from.weight = from.weight * cone_share(spot, l, from.per_distance);
+    }
+    return from;
+}
+
+/* The diffuse lobe of such a light, where lobes are plain. */
 TL_INLINE vec3 add_ranged_diffuse(vec3 diffuse,
                                   tl_needs needs,
                                   surface s,
@@ -143,52 +148,90 @@ TL_INLINE vec3 add_ranged_diffuse(vec3 diffuse,
                                   real *seen)
 {
     *distance = SQRT(a.distance2);
-    const real per_distance = R(1.0) / *distance;
-    mask lit = reaches(light, a.distance2) & (a.distance2 > TL_LEAST_DISTANCE2);
-    real weight = fade_of(needs, light, a.distance2, *distance, per_distance);
-    if (needs.spots) {
-        const vec3 l = vector_to_light(s.position, light);
-        lit = lit & in_cone(spot, l, a.distance2);
-        weight = weight * cone_share(spot, l, per_distance);
-    }
-    return add_diffuse(diffuse, needs, light, a.facing * per_distance, weight, lit, seen);
+    const arrival from = ranged_arrival(needs, s, light, spot, a);
+    return add_diffuse(diffuse, needs, light, a.facing * from.per_distance, from.weight,
+                       from.lit, seen);
 }
 
-/* spot: its cone, whole_space() of a light that has none. */
+/* A light in direction l that is reflected by whatever model a lane has. */
+TL_INLINE received add_reflection(received sum,
+                                  tl_needs needs,
+                                  surface s,
+                                  finish f,
+                                  tl_view_light light,
+                                  vec3 l,
+                                  approach a,
+                                  arrival from)
+{
+    const vec3 diffuse = {(real)light.diffuse[0], (real)light.diffuse[1],
+                          (real)light.diffuse[2]};
+    const vec3 specular = {(real)light.specular[0], (real)light.specular[1],
+                           (real)light.specular[2]};
+    const real cosine = a.facing * from.per_distance;
+    const mask above = from.lit & (cosine > R(0.0));
+    const meeting m = {l,
+                       from.distance,
+                       from.per_distance,
+                       cosine,
+                       pick(above, from.weight, R(0.0)),
+                       pick(above, from.weight * cosine, R(0.0))};
+    const reflection r = reflection_of(needs, s, f, m);
+    sum.diffuse = fma3(diffuse, r.diffuse, sum.diffuse);
+    if (needs.specular)
+        sum.specular = fma3(specular, r.specular, sum.specular);
+    return sum;
+}
+
+/* The same, by the short code where it does. */
+TL_INLINE received add_light(received sum,
+                             tl_needs needs,
+                             surface s,
+                             finish f,
+                             tl_view_light light,
+                             vec3 l,
+                             approach a,
+                             arrival from)
+{
+    real seen;
+    if (!is_plain(needs))
+        return add_reflection(sum, needs, s, f, light, l, a, from);
+    sum.diffuse = add_diffuse(sum.diffuse, needs, light, a.facing * from.per_distance,
+                              from.weight, from.lit, &seen);
+    return needs.specular ? add_highlight(sum, needs, s, light, l, from.distance, seen) : sum;
+}
+
+/* spot: its cone, whole_space() of a light that has none. f: finish_of the surface, of no matter where
+ * is_plain(needs). */
 TL_INLINE received add_ranged_light(
-    received sum, tl_needs needs, surface s, tl_view_light light, tl_view_spot spot)
+    received sum, tl_needs needs, surface s, finish f, tl_view_light light, tl_view_spot spot)
 {
     const vec3 l = vector_to_light(s.position, light);
     const approach a = approach_of(s, l);
-    real distance, seen;
     if (!any_lane(may_be_lit(needs, light, spot, l, a)))
         return sum;
-    sum.diffuse = add_ranged_diffuse(sum.diffuse, needs, s, light, spot, a, &distance, &seen);
-    return needs.specular ? add_highlight(sum, needs, s, light, l, distance, seen) : sum;
+    return add_light(sum, needs, s, f, light, l, a, ranged_arrival(needs, s, light, spot, a));
 }
 
 /* A light that reaches everything: directional, or a point or spot light without a range. */
 TL_INLINE received add_global_light(
-    received sum, tl_needs needs, surface s, tl_view_light light, tl_view_spot spot)
+    received sum, tl_needs needs, surface s, finish f, tl_view_light light, tl_view_spot spot)
 {
     const int is_directional = light.falloff == TL_FADE_NONE;
     const vec3 direction = {(real)light.position[0], (real)light.position[1],
                             (real)light.position[2]};
     const vec3 l = is_directional ? direction : vector_to_light(s.position, light);
     const approach a = approach_of(s, l);
-    const real distance = is_directional ? (real)R(1.0) : SQRT(a.distance2);
-    const real per_distance = R(1.0) / distance;
-    real weight =
-        is_directional ? (real)R(1.0) : fade_inverse_square(a.distance2, per_distance, R(0.0));
-    mask lit = a.distance2 > R(0.0);
+    arrival from;
+    from.distance = is_directional ? (real)R(1.0) : SQRT(a.distance2);
+    from.per_distance = R(1.0) / from.distance;
+    from.weight = is_directional ? (real)R(1.0)
+                                 : fade_inverse_square(a.distance2, from.per_distance, R(0.0));
+    from.lit = a.distance2 > R(0.0);
     if (needs.spots) {
-        lit = lit & in_cone(spot, l, a.distance2);
-        weight = weight * cone_share(spot, l, per_distance);
+        from.lit = from.lit & in_cone(spot, l, a.distance2);
+        from.weight = from.weight * cone_share(spot, l, from.per_distance);
     }
-    real seen;
-    sum.diffuse =
-        add_diffuse(sum.diffuse, needs, light, a.facing * per_distance, weight, lit, &seen);
-    return needs.specular ? add_highlight(sum, needs, s, light, l, distance, seen) : sum;
+    return add_light(sum, needs, s, f, light, l, a, from);
 }
 
 #endif

@@ -12,7 +12,7 @@ typedef struct tl_needs {
     tl_u32 specular;     /* 1: some light and some material have a specular lobe */
     tl_u32 orthographic; /* 1: parallel rays */
     tl_u32 layout;       /* how pixels are packed: a row of layout.h */
-    tl_u32 model;        /* how surfaces reflect: a row of models.h */
+    tl_u32 model;        /* how surfaces reflect that do not say: a row of models.h */
     tl_u32 spots;        /* 1: some light has a cone */
     /* 1: the lobe is diffuse light times one number a pixel, for the model tints it, specular colours
      * are grey, and both lobes of every light have one colour */
@@ -21,14 +21,15 @@ typedef struct tl_needs {
     /* planes of `present` that change nothing here, bits 1 << plane: they are not read, and have the
      * value that planes.h gives what was not hit */
     tl_u32 idle;
+    tl_u32 models; /* rows of models.h in use, bits 1 << row: `model`, and those of materials */
 } tl_needs;
 
 #ifdef __OPENCL_C_VERSION__
 TL_INLINE tl_needs needs_of_build(void)
 {
-    const tl_needs needs = {TL_PRESENT, TL_FALLOFFS_USED, TL_SPECULAR, TL_ORTHOGRAPHIC,
-                            TL_LAYOUT,  TL_MODEL,         TL_SPOTS,    TL_ONE_COLOR,
-                            TL_AMBIENT, TL_IDLE};
+    const tl_needs needs = {TL_PRESENT, TL_FALLOFFS_USED, TL_SPECULAR,   TL_ORTHOGRAPHIC,
+                            TL_LAYOUT,  TL_MODEL,         TL_SPOTS,      TL_ONE_COLOR,
+                            TL_AMBIENT, TL_IDLE,          TL_MODELS_USED};
     return needs;
 }
 #endif
@@ -39,14 +40,43 @@ TL_INLINE int reads_planes(tl_needs needs, tl_u32 planes)
     return (needs.present & ~needs.idle & planes) != 0;
 }
 
-/* Whether the lobe of the scene's model is multiplied by this. */
-TL_INLINE int lobe_has(tl_needs needs, enum tl_lobe_factor factor)
+/* What a model is made of: bits of tl_model_trait. */
+TL_INLINE tl_u32 traits_of(tl_u32 model)
 {
-#define TL_MODEL_FACTORS(name, word, factors, source) \
-    if (needs.model == name)                          \
-        return ((factors)&factor) != 0;
-    TL_MODELS(TL_MODEL_FACTORS)
-#undef TL_MODEL_FACTORS
+#define TL_MODEL_TRAITS(name, word, traits, parameters, source) \
+    if (model == (tl_u32)name)                                  \
+        return (traits);
+    TL_MODELS(TL_MODEL_TRAITS)
+#undef TL_MODEL_TRAITS
+    return 0;
+}
+
+/* Whether the frame's own model has this. */
+TL_INLINE int lobe_has(tl_needs needs, enum tl_model_trait trait)
+{
+    return (traits_of(needs.model) & (tl_u32)trait) != 0;
+}
+
+/* Whether all surfaces reflect by one model. */
+TL_INLINE int has_one_model(tl_needs needs)
+{
+    return needs.models == 1u << needs.model;
+}
+
+/* Whether the short code of light.h does: all surfaces reflect by one model, which has plain lobes. */
+TL_INLINE int is_plain(tl_needs needs)
+{
+    return has_one_model(needs) && lobe_has(needs, TL_LOBE_PLAIN);
+}
+
+/* Whether some surface may reflect by a model that has this. */
+TL_INLINE int some_lobe_has(tl_needs needs, enum tl_model_trait trait)
+{
+#define TL_MODEL_HAS(name, word, traits, parameters, source)    \
+    if ((needs.models >> name & 1u) && ((traits) & (int)trait)) \
+        return 1;
+    TL_MODELS(TL_MODEL_HAS)
+#undef TL_MODEL_HAS
     return 0;
 }
 

@@ -18,11 +18,13 @@
  *   present        the planes of the frame, bits 1 << plane
  *   specular       1: some light has a specular lobe and the frame a specular material
  *   falloffs       the rows of falloff.h that lights of the scene use, bits 1 << row
- *   model          how surfaces reflect: a row of models.h
+ *   model          how surfaces reflect that do not say: a row of models.h
  *   spots          1: some light has a cone; lights have tl_view_spots behind them then
  *   one_color      1: both lobes can be added before colours: needs.h
  *   ambient        1: there is ambient light
- *   idle           planes of the frame that are not read, for they change nothing: needs.h */
+ *   idle           planes of the frame that are not read, for they change nothing: needs.h
+ *   models         the rows of models.h that surfaces of the scene use, bits 1 << row: `model`, and those
+ *                  of its materials */
 #define TL_KERNEL_OPTIONS(X)           \
     X(TL_WIDTH, width)                 \
     X(TL_BY_PIXEL, by_pixel)           \
@@ -37,14 +39,15 @@
     X(TL_SPOTS, spots)                 \
     X(TL_ONE_COLOR, one_color)         \
     X(TL_AMBIENT, ambient)             \
-    X(TL_IDLE, idle)
+    X(TL_IDLE, idle)                   \
+    X(TL_MODELS_USED, models)
 
 #ifdef __OPENCL_C_VERSION__
 #    if !defined(TL_WIDTH) || !defined(TL_BY_PIXEL) || !defined(TL_REAL_DOUBLE) ||        \
         !defined(TL_PRECISE_POWER) || !defined(TL_ORTHOGRAPHIC) || !defined(TL_LAYOUT) || \
         !defined(TL_PRESENT) || !defined(TL_SPECULAR) || !defined(TL_FALLOFFS_USED) ||    \
         !defined(TL_MODEL) || !defined(TL_SPOTS) || !defined(TL_ONE_COLOR) ||             \
-        !defined(TL_AMBIENT) || !defined(TL_IDLE)
+        !defined(TL_AMBIENT) || !defined(TL_IDLE) || !defined(TL_MODELS_USED)
 #        error "build the kernels through tl_program_build(), which passes every option"
 #    endif
 #    if TL_BY_PIXEL && TL_WIDTH != 1

@@ -2,24 +2,10 @@
 #ifndef TL_PIXEL_H
 #define TL_PIXEL_H
 
+#include "finish.h"
 #include "light.h"
-#include "material.h"
 #include "position.h"
-
-/* One pixel (a vector of them) as loaded; what the frame lacks has the value planes.h gives it. */
-typedef struct pixel {
-    real depth;
-    vec3 normal, albedo, specular, emissive;
-    real shininess, metallic, roughness, occlusion;
-} pixel;
-
-TL_INLINE phong_material material_of(tl_needs needs, pixel of)
-{
-    if (needs.present & TL_GROUP_METAL_ROUGH)
-        return phong_of_metal_rough(of.albedo, of.metallic, of.roughness);
-    const phong_material m = {of.albedo, of.specular, of.shininess};
-    return m;
-}
+#include "substance.h"
 
 /* (e + 2)/8, rounded once. */
 TL_INLINE real lobe_energy(real shininess)
@@ -83,24 +69,24 @@ TL_INLINE real ambient_of(tl_needs needs, real albedo, scalar ambient, real occl
 }
 
 /* What multiplies the light that the specular lobe received. */
-TL_INLINE vec3 lobe_color(tl_needs needs, phong_material m)
+TL_INLINE vec3 lobe_color(tl_needs needs, substance m)
 {
     vec3 c = m.specular;
-    if (lobe_has(needs, TL_LOBE_ENERGY)) {
+    if (some_lobe_has(needs, TL_LOBE_ENERGY)) {
         const real energy = lobe_energy(m.shininess);
         const vec3 scaled = {c.x * energy, c.y * energy, c.z * energy};
-        c = scaled;
+        c = pick3(lane_has(needs, m.model, TL_LOBE_ENERGY), scaled, c);
     }
-    if (lobe_has(needs, TL_LOBE_DIFFUSE)) {
+    if (some_lobe_has(needs, TL_LOBE_DIFFUSE)) {
         const vec3 tinted = {c.x * m.diffuse.x, c.y * m.diffuse.y, c.z * m.diffuse.z};
-        c = tinted;
+        c = pick3(lane_has(needs, m.model, TL_LOBE_DIFFUSE), tinted, c);
     }
     return c;
 }
 
 /* What leaves a pixel towards the eye; the sky's radiance where nothing was hit. */
 TL_INLINE vec3
-radiance_of(const tl_frame *frame, tl_needs needs, pixel of, phong_material m, received sum)
+radiance_of(const tl_frame *frame, tl_needs needs, pixel of, substance m, received sum)
 {
     const vec3 lobe = lobe_color(needs, m);
     const vec3 lit = {

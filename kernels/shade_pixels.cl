@@ -30,16 +30,18 @@ __kernel void shade_pixels(const tl_frame frame,
     const surface s = unpacked_surface(&frame, needs, &layout, &words, (scalar)column,
                                        (scalar)(frame.first_row + row));
     const pixel in = pixel_of(needs, &layout, &words, -s.position.z);
-    received sum = {{0, 0, 0}, {0, 0, 0}};
+    const substance m = substance_of(&frame, needs, in);
+    const finish f = finish_of(needs, s, m);
+    received sum = nothing_received();
     if (in.depth < (real)INFINITY) {
         for (uint i = 0; i < frame.global_count; i++)
-            sum = add_global_light(sum, needs, s, lights[i],
+            sum = add_global_light(sum, needs, s, f, lights[i],
                                    spot_of(needs, lights, frame.light_count, i));
         for (uint i = starts[tile]; i < ends[tile]; i++)
-            sum = add_ranged_light(sum, needs, s, lights[list[i]],
+            sum = add_ranged_light(sum, needs, s, f, lights[list[i]],
                                    spot_of(needs, lights, frame.light_count, list[i]));
     }
-    const vec3 out = radiance_of(&frame, needs, in, material_of(needs, in), sum);
+    const vec3 out = radiance_of(&frame, needs, in, m, sum);
     store_block(out.x, radiance + at, frame.pitch);
     store_block(out.y, radiance + plane_size + at, frame.pitch);
     store_block(out.z, radiance + 2 * plane_size + at, frame.pitch);

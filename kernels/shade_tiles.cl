@@ -100,6 +100,22 @@ TL_INLINE received add_listed_lights(received sum,
     return sum;
 }
 
+/* What the lists of a tile add, by models that are not plain: one light after another. */
+TL_INLINE received add_lights_one_by_one(received sum,
+                                         tl_needs needs,
+                                         surface s,
+                                         finish f,
+                                         __global const tl_view_light *lights,
+                                         uint light_count,
+                                         __global const uint *list,
+                                         uint count)
+{
+    for (uint i = 0; i < count; i++)
+        sum = add_ranged_light(sum, needs, s, f, lights[list[i]],
+                               spot_of(needs, lights, light_count, list[i]));
+    return sum;
+}
+
 /* planes    the frame's word planes, [rows][pitch] numbers each: layout.h
  * lights    [light_count]: first the global_count that reach everything; behind them as many
  *           tl_view_spots, where the scene has spots
@@ -138,18 +154,28 @@ __kernel void shade_tiles(const tl_frame frame,
         for (uint b = 0; b < frame.tile_size / BLOCK_COLUMNS; b++) {
             const size_t at = first + b * BLOCK_COLUMNS;
             const surface s = surfaces[b];
-            received sum = {{0, 0, 0}, {0, 0, 0}};
+            received sum = nothing_received();
+            finish f;
+            if (!is_plain(needs)) {
+                const tl_words words = load_words(&layout, planes, plane_size, at, frame.pitch);
+                const pixel in = pixel_of(needs, &layout, &words, -s.position.z);
+                f = finish_of(needs, s, substance_of(&frame, needs, in));
+            }
             if (any_lane(s.position.z > (real)-INFINITY)) {
                 for (uint i = 0; i < frame.global_count; i++)
-                    sum = add_global_light(sum, needs, s, lights[i],
+                    sum = add_global_light(sum, needs, s, f, lights[i],
                                            spot_of(needs, lights, frame.light_count, i));
-                for (uint i = start; i < end; i += LIGHTS_AT_ONCE)
+                if (!is_plain(needs))
+                    sum = add_lights_one_by_one(sum, needs, s, f, lights, frame.light_count,
+                                                list + start, end - start);
+                for (uint i = start; is_plain(needs) && i < end; i += LIGHTS_AT_ONCE)
                     sum = add_listed_lights(sum, needs, s, lights, frame.light_count, list + i,
                                             min(end - i, (uint)LIGHTS_AT_ONCE));
             }
             const tl_words words = load_words(&layout, planes, plane_size, at, frame.pitch);
             const pixel in = pixel_of(needs, &layout, &words, -s.position.z);
-            const vec3 out = radiance_of(&frame, needs, in, material_of(needs, in), sum);
+            const vec3 out =
+                radiance_of(&frame, needs, in, substance_of(&frame, needs, in), sum);
             store_block(out.x, radiance + at, frame.pitch);
             store_block(out.y, radiance + plane_size + at, frame.pitch);
             store_block(out.z, radiance + 2 * plane_size + at, frame.pitch);

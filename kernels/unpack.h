@@ -156,7 +156,7 @@ TL_INLINE surface unpacked_surface(const tl_frame *frame,
                       layout->normal_space == TL_NORMALS_IN_VIEW
                           ? unit3(in.normal)
                           : view_normal(frame, in.normal),
-                      material_of(needs, in).shininess, in.specular.x);
+                      substance_of(frame, needs, in).shininess, in.specular.x);
 }
 
 #endif

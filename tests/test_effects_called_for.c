@@ -103,6 +103,10 @@ static const scene minimal[TL_EFFECT_COUNT] = {
 /* What might be taken for a cause, and is none. */
 static const scene others[] = {
     {"nothing at all", TL_GROUP_BASE, .effects = 0},
+    {"a model without highlights", PHONG, .model = TL_MODEL_LAMBERT,
+     .lamps = {{ANY_LIGHT, .is_directional = 1, .specular = 1.0f}},
+     .effects = ON(GLOBAL) | ON(DIRECTIONAL) | ON(MODEL),
+     .needs = {.falloffs = FADE(NONE), .idle = TL_GROUP_PHONG}, .light_count = 1},
     {"occlusion without ambient light", OCCLUSION, .needs = {.idle = TL_GROUP_OCCLUSION}},
     {"neutral occlusion", OCCLUSION, .neutral = TL_GROUP_OCCLUSION, .ambient = 0.1f,
      .effects = ON(AMBIENT), .needs = {.ambient = 1, .idle = TL_GROUP_OCCLUSION}},
@@ -132,12 +136,12 @@ static const scene others[] = {
      .idle = {[TL_IDLE_BLACK] = 1}},
     {"a range that no distance is below", TL_GROUP_BASE,
      .lamps = {{ANY_LIGHT, .range = 1e-30f}}, .idle = {[TL_IDLE_SHORT] = 1}},
-    {"a spot of no width", TL_GROUP_BASE,
-     .lamps = {{ANY_LIGHT, .has_cone = 1, .cone = 0.0f}}, .idle = {[TL_IDLE_NARROW] = 1}},
+    {"a spot of no width", TL_GROUP_BASE, .lamps = {{ANY_LIGHT, .has_cone = 1, .cone = 0.0f}},
+     .idle = {[TL_IDLE_NARROW] = 1}},
     {"a spot of all of space, as hard as can be", TL_GROUP_BASE,
      .lamps = {{ANY_LIGHT, .has_cone = 1, .cone = 3.14159274f}},
-     .effects = ON(GLOBAL) | ON(INVERSE_SQUARE),
-     .needs = {.falloffs = FADE(INVERSE_SQUARE)}, .light_count = 1},
+     .effects = ON(GLOBAL) | ON(INVERSE_SQUARE), .needs = {.falloffs = FADE(INVERSE_SQUARE)},
+     .light_count = 1},
     {"a lobe alone, and nothing to show it", TL_GROUP_BASE,
      .lamps = {{.intensity = 1.0f, .specular = 1.0f, .range = 1.0f}},
      .idle = {[TL_IDLE_NO_GLOSS] = 1}},
@@ -145,14 +149,15 @@ static const scene others[] = {
      .lamps = {{.diffuse = 1.0f, .range = 1.0f}},
      .effects = ON(RANGED) | ON(DIRECTIONAL) | ON(INVERSE_SQUARE) | ON(LINEAR) |
                 ON(LINEAR_FROM) | ON(SPOTS) | ON(AMBIENT),
-     .needs = {.falloffs = (1u << TL_FADE_COUNT) - 1u, .spots = 1, .ambient = 1}, .light_count = 1,
-     .idle = {[TL_IDLE_BLACK] = 1}},
+     .needs = {.falloffs = (1u << TL_FADE_COUNT) - 1u, .spots = 1, .ambient = 1},
+     .light_count = 1, .idle = {[TL_IDLE_BLACK] = 1}},
     {"all effects of a frame with every plane", PHONG | OCCLUSION | EMISSION,
      .neutral = TL_THREE(TL_SPECULAR_R) | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE,
      .mode = TL_EFFECTS_ALL,
      .effects = ON(DIRECTIONAL) | ON(INVERSE_SQUARE) | ON(LINEAR) | ON(LINEAR_FROM) |
                 ON(SPOTS) | ON(SPECULAR) | ON(AMBIENT) | ON(OCCLUSION) | ON(EMISSION),
-     .needs = {.falloffs = (1u << TL_FADE_COUNT) - 1u, .spots = 1, .specular = 1, .ambient = 1}},
+     .needs =
+         {.falloffs = (1u << TL_FADE_COUNT) - 1u, .spots = 1, .specular = 1, .ambient = 1}},
 };
 
 static void add_lamp(tl_light_set *set, const lamp *from)
@@ -211,6 +216,7 @@ static void expect(const scene *s)
 {
     tl_prepared p = prepared_of(s);
     const tl_needs needs = {.present = s->present,
+                            .models = 1u << s->model,
                             .layout = s->layout,
                             .model = s->model,
                             .falloffs = s->needs.falloffs,

@@ -3,7 +3,7 @@
  * The oracle is written from the equations, in long double and world space: it shares no header with
  * the kernels. Phong: Policarpo and Fonseca 2005, equations 1 to 4 (with the half vector of unit
  * vectors, specular 0 where N.L <= 0); normalised Blinn-Phong, and a linear falloff that begins at a
- * distance: the ISPC project's deferred example; inverse square and the cones of spots:
+ * distance: the ISPC project's deferred example; Lambert; inverse square and the cones of spots:
  * KHR_lights_punctual; metal-rough to Phong: docs/conventions.md. What may lie between the two is derived below, light by light. */
 #include "frames.h"
 
@@ -207,6 +207,8 @@ static v3 radiance(const tl_gbuffer *g,
         for (int i = 0; i < 3; i++) {
             const wide diffuse = light->color[i] * s.diffuse.v[i] * light->diffuse;
             wide specular = light->color[i] * s.specular.v[i] * light->specular;
+            if (lights->model == TL_MODEL_LAMBERT)
+                specular = 0;
             if (normalized)
                 specular *= s.diffuse.v[i] * (s.shininess + 2) / 8;
             if (n_dot_l > 0)

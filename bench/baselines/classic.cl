@@ -137,7 +137,7 @@ light_tiles_classic(const tl_frame frame,
     const size_t at = (size_t)row * frame.pitch + column;
     const tl_needs needs = needs_of_build();
     const pixel in = load_classic(planes + at, plane_size);
-    const phong_material m = material_of(needs, in);
+    const substance m = substance_of(&frame, needs, in);
 
     if (item == 0) {
         nearest = INT_MAX;
@@ -165,7 +165,7 @@ light_tiles_classic(const tl_frame frame,
 
     const uint listed = min(count, (uint)CLASSIC_CAP);
     const surface s = surface_of(&frame, needs, in, m.shininess, (scalar)column, (scalar)row);
-    received sum = {{0, 0, 0}, {0, 0, 0}};
+    received sum = nothing_received();
     if (shades && in.depth < INFINITY) {
         for (uint i = 0; i < frame.global_count; i++)
             sum = add_unlisted(sum, needs, s, lights[i]);

@@ -41,25 +41,25 @@ static void write_depth_buffer(const surfaces *s, pixel of, float *out)
 static void write_normal_exponent(const surfaces *s, pixel of, float *out)
 {
     write_vector(view_normal(&s->prepared->frame, of.normal),
-                 material_of(s->prepared->needs, of).shininess, out);
+                 substance_of(&s->prepared->frame, s->prepared->needs, of).shininess, out);
 }
 
 static void write_diffuse(const surfaces *s, pixel of, float *out)
 {
-    write_vector(material_of(s->prepared->needs, of).diffuse, 0.0f, out);
+    write_vector(substance_of(&s->prepared->frame, s->prepared->needs, of).diffuse, 0.0f, out);
 }
 
 static void write_specular(const surfaces *s, pixel of, float *out)
 {
-    write_vector(material_of(s->prepared->needs, of).specular, 0.0f, out);
+    write_vector(substance_of(&s->prepared->frame, s->prepared->needs, of).specular, 0.0f, out);
 }
 
 /* Ambient light, emission, sky: what is there before the first light. */
 static void write_unlit(const surfaces *s, pixel of, float *out)
 {
-    const received none = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}};
+    const received none = nothing_received();
     write_vector(radiance_of(&s->prepared->frame, s->prepared->needs, of,
-                             material_of(s->prepared->needs, of), none),
+                             substance_of(&s->prepared->frame, s->prepared->needs, of), none),
                  0.0f, out);
 }
 

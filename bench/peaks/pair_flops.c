@@ -8,8 +8,10 @@
 void flops_of_test(const surface *s, const tl_view_light *light, int *out);
 void flops_of_pair(const surface *s, const tl_view_light *light, received *sum);
 
-static const tl_needs needs = {
-    .present = TL_GROUP_BASE | TL_GROUP_PHONG, .falloffs = 1u << TL_FADE_LINEAR, .specular = 1};
+static const tl_needs needs = {.present = TL_GROUP_BASE | TL_GROUP_PHONG,
+                               .falloffs = 1u << TL_FADE_LINEAR,
+                               .specular = 1,
+                               .models = 1u << TL_MODEL_PHONG};
 
 /* What a pair costs whose light does not reach. */
 void flops_of_test(const surface *s, const tl_view_light *light, int *out)
@@ -21,5 +23,6 @@ void flops_of_test(const surface *s, const tl_view_light *light, int *out)
 /* What it costs, test included, where the light does. */
 void flops_of_pair(const surface *s, const tl_view_light *light, received *sum)
 {
-    *sum = add_ranged_light(*sum, needs, *s, *light, whole_space());
+    const finish none = {0};
+    *sum = add_ranged_light(*sum, needs, *s, none, *light, whole_space());
 }

@@ -60,12 +60,13 @@ __kernel void shade_in_batches(const tl_frame frame,
     const tl_needs needs = needs_of_build();
 
     const pixel in = load(planes + at, plane_size);
-    const phong_material material = material_of(needs, in);
+    const substance material = substance_of(&frame, needs, in);
     const surface s = surface_of(&frame, needs, in, material.shininess, (float)column,
                                  (float)(frame.first_row + row));
-    received sum = {{0, 0, 0}, {0, 0, 0}};
+    const finish f = finish_of(needs, s, material);
+    received sum = nothing_received();
     for (uint i = 0; i < frame.global_count; i++)
-        sum = add_global_light(sum, needs, s, lights[i],
+        sum = add_global_light(sum, needs, s, f, lights[i],
                                spot_of(needs, lights, frame.light_count, i));
 
     // Every item takes part in every barrier, whether its pixel is sky or not.
@@ -78,7 +79,7 @@ __kernel void shade_in_batches(const tl_frame frame,
         }
         barrier(CLK_LOCAL_MEM_FENCE);
         for (uint i = 0; i < count; i++)
-            sum = add_ranged_light(sum, needs, s, batch[i], cones[i]);
+            sum = add_ranged_light(sum, needs, s, f, batch[i], cones[i]);
     }
 
     const vec3 out = radiance_of(&frame, needs, in, material, sum);

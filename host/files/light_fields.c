@@ -31,7 +31,7 @@ const char *const tl_light_type_words[TL_LIGHT_TYPE_COUNT] = {
 };
 
 const char *const tl_model_words[TL_MODEL_COUNT] = {
-#define MODEL_WORD(name, word, factors, source) [name] = word,
+#define MODEL_WORD(name, word, traits, parameters, source) [name] = word,
     TL_MODELS(MODEL_WORD)
 #undef MODEL_WORD
 };

@@ -46,6 +46,8 @@ tl_explanation tl_causes_of_frame(const tl_gbuffer *gbuffer,
         e.causes |= TL_BY(TL_CAUSE_SKY);
     if (lights->model != TL_MODEL_PHONG)
         e.causes |= TL_BY(TL_CAUSE_MODEL);
+    if (traits_of(lights->model) & TL_LOBE_SPECULAR)
+        e.causes |= TL_BY(TL_CAUSE_SHINY);
     if (gbuffer->camera.projection == TL_ORTHOGRAPHIC)
         e.causes |= TL_BY(TL_CAUSE_PARALLEL);
     return e;
@@ -64,7 +66,8 @@ int tl_light_is_idle(tl_explanation *explanation,
                      uint32_t index,
                      int is_global)
 {
-    const int has_gloss = (explanation->causes & TL_BY(TL_CAUSE_GLOSS)) != 0;
+    const uint32_t highlights = TL_BY(TL_CAUSE_GLOSS) | TL_BY(TL_CAUSE_SHINY);
+    const int has_gloss = (explanation->causes & highlights) == highlights;
     tl_idle_light why;
     if (!is_lit_by(light->diffuse) && !is_lit_by(light->specular))
         why = TL_IDLE_BLACK;
@@ -138,6 +141,7 @@ tl_needs tl_needs_of_causes(tl_explanation *e,
     tl_needs needs = {.present = gbuffer->present,
                       .layout = gbuffer->layout,
                       .model = lights->model,
+                      .models = 1u << lights->model,
                       .orthographic = (tl_u32)is_on(e, TL_EFFECT_PARALLEL),
                       .specular = (tl_u32)is_on(e, TL_EFFECT_SPECULAR),
                       .spots = (tl_u32)is_on(e, TL_EFFECT_SPOTS),

@@ -142,7 +142,8 @@ static tl_kernel_options kernel_options(const tl_lighting *lighting)
                                .spots = needs->spots,
                                .one_color = needs->one_color,
                                .ambient = needs->ambient,
-                               .idle = needs->idle};
+                               .idle = needs->idle,
+                               .models = needs->models};
 }
 
 static tl_status run_on_device(tl_lighting *lighting,

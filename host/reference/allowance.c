@@ -442,9 +442,9 @@ static interval lobe_factors(tl_needs needs,
     return out;
 }
 
-static rough_material rough_material_of(tl_needs needs, pixel in)
+static rough_material rough_material_of(const tl_frame *frame, tl_needs needs, pixel in)
 {
-    const phong_material m = material_of(needs, in);
+    const substance m = substance_of(frame, needs, in);
     const double diffuse[3] = {m.diffuse.x, m.diffuse.y, m.diffuse.z};
     const double specular[3] = {m.specular.x, m.specular.y, m.specular.z};
     const double base[3] = {in.albedo.x, in.albedo.y, in.albedo.z};
@@ -509,7 +509,7 @@ tl_allowance tl_allowance_of(const tl_prepared *prepared,
     if (!(in.depth < INFINITY))
         return sky_of(frame);
     const vec3 expected = light_pixel(prepared, in, column, row);
-    const rough_material material = rough_material_of(prepared->needs, in);
+    const rough_material material = rough_material_of(&prepared->frame, prepared->needs, in);
     const rough_surface s = rough_surface_of(prepared, in, material.exponent, column, row);
     interval sum[3] = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}};
     uint32_t terms = 0;
@@ -547,7 +547,7 @@ int tl_allowance_share(const tl_prepared *prepared,
     const pixel in = pixel_at(planes, (size_t)row * prepared->frame.pitch + column);
     if (!(in.depth < INFINITY))
         return 0;
-    const rough_material material = rough_material_of(prepared->needs, in);
+    const rough_material material = rough_material_of(&prepared->frame, prepared->needs, in);
     const rough_surface s = rough_surface_of(prepared, in, material.exponent, column, row);
     const rough_light light = light_on(prepared, &s, index, form);
     if (!light.may_add)

@@ -11,14 +11,16 @@ TL_INLINE vec3 light_surface(const tl_prepared *prepared, pixel in, surface s)
 {
     const tl_frame *frame = &prepared->frame;
     const tl_needs needs = prepared->needs;
-    received sum = {{0, 0, 0}, {0, 0, 0}};
+    const substance m = substance_of(frame, needs, in);
+    const finish f = finish_of(needs, s, m);
+    received sum = nothing_received();
     if (in.depth < (real)INFINITY) {
         for (uint32_t i = 0; i < frame->global_count; i++)
-            sum = add_global_light(sum, needs, s, prepared->lights[i], prepared->spots[i]);
+            sum = add_global_light(sum, needs, s, f, prepared->lights[i], prepared->spots[i]);
         for (uint32_t i = frame->global_count; i < frame->light_count; i++)
-            sum = add_ranged_light(sum, needs, s, prepared->lights[i], prepared->spots[i]);
+            sum = add_ranged_light(sum, needs, s, f, prepared->lights[i], prepared->spots[i]);
     }
-    return radiance_of(frame, needs, in, material_of(needs, in), sum);
+    return radiance_of(frame, needs, in, m, sum);
 }
 
 /* Of a pixel that is not packed. */
@@ -27,8 +29,8 @@ TL_INLINE vec3 light_pixel(const tl_prepared *prepared, pixel in, uint32_t colum
     const tl_needs needs = prepared->needs;
     return light_surface(prepared, in,
                          surface_of(&prepared->frame, needs, in,
-                                    material_of(needs, in).shininess, (real)column,
-                                    (scalar)row));
+                                    substance_of(&prepared->frame, needs, in).shininess,
+                                    (real)column, (scalar)row));
 }
 
 #endif

@@ -41,6 +41,7 @@ typedef enum tl_cause_kind {
     X(TL_CAUSE_AMBIENT, TL_CAUSE_OF_FRAME, "ambient light")                                \
     X(TL_CAUSE_SKY, TL_CAUSE_OF_FRAME, "colour of the sky")                                \
     X(TL_CAUSE_MODEL, TL_CAUSE_OF_FRAME, "shading model other than phong")                 \
+    X(TL_CAUSE_SHINY, TL_CAUSE_OF_FRAME, "shading model with highlights")                  \
     X(TL_CAUSE_ONE_COLOR, TL_CAUSE_OF_FRAME,                                               \
       "model that tints grey highlights, and lights of one colour each")                   \
     X(TL_CAUSE_PARALLEL, TL_CAUSE_OF_FRAME, "orthographic camera")
@@ -71,11 +72,11 @@ typedef enum tl_cause {
       TL_BY(TL_CAUSE_LINEAR_FROM), 0, "TL_FALLOFFS_USED")                                      \
     X(TL_EFFECT_SPOTS, "spots", "cones of light", TL_BY(TL_CAUSE_CONE), 0, "TL_SPOTS")         \
     X(TL_EFFECT_SPECULAR, "specular", "highlights",                                            \
-      TL_BY(TL_CAUSE_HIGHLIGHT) | TL_BY(TL_CAUSE_GLOSS),                                       \
+      TL_BY(TL_CAUSE_HIGHLIGHT) | TL_BY(TL_CAUSE_GLOSS) | TL_BY(TL_CAUSE_SHINY),               \
       TL_GROUP_PHONG | TL_GROUP_METAL_ROUGH, "TL_SPECULAR")                                    \
     X(TL_EFFECT_METAL_ROUGH, "metal-rough", "Phong material from metallic and roughness",      \
       TL_BY(TL_CAUSE_METAL_ROUGH), TL_HAS(TL_METALLIC), "TL_PRESENT")                          \
-    X(TL_EFFECT_MODEL, "model", "a lobe with the factors of another shading model",            \
+    X(TL_EFFECT_MODEL, "model", "how surfaces reflect, by another shading model",              \
       TL_BY(TL_CAUSE_MODEL), 0, "TL_MODEL")                                                    \
     X(TL_EFFECT_ONE_COLOR, "one-color", "both lobes in one sum", TL_BY(TL_CAUSE_ONE_COLOR), 0, \
       "TL_ONE_COLOR")                                                                          \

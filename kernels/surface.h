@@ -1,0 +1,68 @@
+/* What lobes take and give: a surface, a light that meets it, and what is reflected. */
+#ifndef TL_SURFACE_H
+#define TL_SURFACE_H
+
+#include "needs.h"
+#include "vec3.h"
+
+/* What every model takes of a pixel. */
+typedef struct surface {
+    vec3 position, normal, to_eye; /* view space, m; the last two unit, or normal 0 */
+    real shininess;
+    real lobe_scale; /* with one colour: what the lobe adds, as a share of diffuse light */
+} surface;
+
+/* What models other than the plain ones take of it beside that, the same for all lights: finish.h. */
+typedef struct finish {
+    integer model; /* a row of models.h; reflects_by is what to ask */
+} finish;
+
+/* A light, as a surface meets it. */
+typedef struct meeting {
+    vec3 l;                  /* from the surface to the light, m */
+    real length, per_length; /* |l|, 1/|l| */
+    real cosine;             /* n.l, of unit vectors */
+    real weight; /* what comes, of what the light's colour says; 0 in lanes that are not lit */
+    real arriving; /* weight n.l */
+} meeting;
+
+/* What the sums of a pixel receive of a light, before its colours and the surface's. Never negative. */
+typedef struct reflection {
+    real diffuse, specular;
+    real grazing; /* the specular lobe times Schlick's (1 - v.h)^5 */
+} reflection;
+
+/* Light received, per lobe: the surface's colours multiply after the last light. */
+typedef struct received {
+    vec3 diffuse, specular;
+    vec3 grazing; /* of no matter where no model in use has Fresnel's reflectance */
+} received;
+
+TL_INLINE received nothing_received(void)
+{
+    const vec3 none = {R(0.0), R(0.0), R(0.0)};
+    const received sum = {none, none, none};
+    return sum;
+}
+
+/* Lanes whose model is this one: all or none where all surfaces have one. */
+TL_INLINE mask reflects_by(tl_needs needs, integer model, tl_u32 which)
+{
+    if (has_one_model(needs)) /* a constant */
+        return needs.model == which ? EVERY_LANE : NO_LANE;
+    return model == (integer)which;
+}
+
+/* Lanes whose model has this. */
+TL_INLINE mask lane_has(tl_needs needs, integer model, enum tl_model_trait trait)
+{
+    mask lanes = NO_LANE;
+#define TL_LANE_HAS(name, word, traits, parameters, source)     \
+    if ((needs.models >> name & 1u) && ((traits) & (int)trait)) \
+        lanes = lanes | reflects_by(needs, model, name);
+    TL_MODELS(TL_LANE_HAS)
+#undef TL_LANE_HAS
+    return lanes;
+}
+
+#endif
