@@ -17,7 +17,7 @@
 #include "number.h"
 #include "planes.h"
 
-#define TL_MAX_WORDS 19 /* full float with positions */
+#define TL_MAX_WORDS 23 /* full float with positions */
 
 typedef struct tl_channel {
     tl_u32 word, shift, bits, number; /* bits of word `word`, enum tl_number */
@@ -38,7 +38,7 @@ typedef struct tl_layout {
     } words[TL_MAX_WORDS];
     tl_u32 normal_space; /* enum tl_normal_space */
     tl_attribute depth, normal, albedo, specular, shininess, metallic, roughness, occlusion,
-        emissive;
+        emissive, brdf, tangent; /* tangents: in world space, by a code of normals */
 } tl_layout;
 
 #define CHANNEL(word, shift, bits, number)    \
@@ -74,7 +74,8 @@ typedef struct tl_layout {
         FLOAT_WORD(TL_SPECULAR_R), FLOAT_WORD(TL_SPECULAR_G), FLOAT_WORD(TL_SPECULAR_B), \
         FLOAT_WORD(TL_SHININESS), FLOAT_WORD(TL_METALLIC), FLOAT_WORD(TL_ROUGHNESS),     \
         FLOAT_WORD(TL_OCCLUSION), FLOAT_WORD(TL_EMISSIVE_R), FLOAT_WORD(TL_EMISSIVE_G),  \
-        FLOAT_WORD(TL_EMISSIVE_B)
+        FLOAT_WORD(TL_EMISSIVE_B), FLOAT_WORD(TL_BRDF), FLOAT_WORD(TL_TANGENT_X),        \
+        FLOAT_WORD(TL_TANGENT_Y), FLOAT_WORD(TL_TANGENT_Z)
 /* `before`: words of depth in front of the one where it is one word. */
 #define FLOAT_ATTRIBUTES(before)                                               \
     .normal = THREE_FLOATS(TL_NORMAL_XYZ, TL_NORMAL_X + (before)),             \
@@ -84,10 +85,12 @@ typedef struct tl_layout {
     .metallic = ATTRIBUTE(TL_VALUE_PLAIN, FLOAT_AT(TL_METALLIC + (before))),   \
     .roughness = ATTRIBUTE(TL_VALUE_PLAIN, FLOAT_AT(TL_ROUGHNESS + (before))), \
     .occlusion = ATTRIBUTE(TL_VALUE_PLAIN, FLOAT_AT(TL_OCCLUSION + (before))), \
-    .emissive = THREE_FLOATS(TL_COLOR_RGB, TL_EMISSIVE_R + (before))
+    .emissive = THREE_FLOATS(TL_COLOR_RGB, TL_EMISSIVE_R + (before)),          \
+    .brdf = ATTRIBUTE(TL_VALUE_PLAIN, FLOAT_AT(TL_BRDF + (before))),           \
+    .tangent = THREE_FLOATS(TL_NORMAL_XYZ, TL_TANGENT_X + (before))
 #define FLOAT_LAYOUT(depth_code)                                                    \
     {                                                                               \
-        .word_count = 17, .words = {FLOAT_WORD(TL_DEPTH), FLOAT_WORDS_AFTER_DEPTH}, \
+        .word_count = 21, .words = {FLOAT_WORD(TL_DEPTH), FLOAT_WORDS_AFTER_DEPTH}, \
         .depth = ATTRIBUTE(depth_code, FLOAT_AT(0)), FLOAT_ATTRIBUTES(0)            \
     }
 
@@ -98,7 +101,7 @@ typedef struct tl_layout {
 #define ROW_FLOAT_FRACTION FLOAT_LAYOUT(TL_DEPTH_FRACTION)
 #define ROW_FLOAT_POSITION                                                          \
     {                                                                               \
-        .word_count = 19,                                                           \
+        .word_count = 23,                                                           \
         .words = {FLOAT_WORD(TL_DEPTH), FLOAT_WORD(TL_DEPTH), FLOAT_WORD(TL_DEPTH), \
                   FLOAT_WORDS_AFTER_DEPTH},                                         \
         .depth = THREE_FLOATS(TL_DEPTH_VIEW_POSITION, 0), FLOAT_ATTRIBUTES(2)       \
@@ -168,13 +171,14 @@ typedef struct tl_layout {
 #define ROW_TUTORIAL_U24 TUTORIAL(CHANNEL(3, 0, 24, UNORM))
 #define ROW_TUTORIAL_3X8 TUTORIAL(CHANNEL(3, 0, 24, BYTES24))
 
-/* RGBA8: diffuse and exponent; RGBA8: the normal and the index of a BRDF, of which row i is a
- * Blinn-Phong lobe of reflectance i/255. */
+/* RGBA8: diffuse and exponent; RGBA8: the normal and the index of a BRDF. A frame without indices of its
+ * own has rows of which row i is a lobe of reflectance i/255: there the same bits are a specular colour. */
 #define MERLIN_ATTRIBUTES                                                          \
     .normal_space = TL_NORMALS_IN_VIEW, .albedo = THREE_BYTES(TL_COLOR_RGB, 0, 0), \
     .shininess = ATTRIBUTE(TL_VALUE_LOGARITHM, BYTE_AT(0, 24)),                    \
     .normal = THREE_BYTES(TL_NORMAL_XYZ, 1, 0),                                    \
-    .specular = ATTRIBUTE(TL_COLOR_GRAY, BYTE_AT(1, 24))
+    .specular = ATTRIBUTE(TL_COLOR_GRAY, BYTE_AT(1, 24)),                          \
+    .brdf = ATTRIBUTE(TL_VALUE_PLAIN, CHANNEL(1, 24, 8, WHOLE))
 #define ROW_MERLIN                                                                        \
     {                                                                                     \
         .word_count = 3, .words = {FOUR_BYTES, FOUR_BYTES, FOUR_BYTES},                   \
@@ -220,44 +224,50 @@ typedef struct tl_layout {
 #define ROW_ISPC ISPC_LAYOUT(TL_DEPTH_FORWARD)
 #define ROW_ISPC_REVERSED ISPC_LAYOUT(TL_DEPTH_REVERSED)
 
-/* Ours. Emission is a word of its own, where a scene has any. What lies in the same bits is of the two
- * kinds of material, of which a frame has one. */
+/* Ours. Emission is a word of its own, where a scene has any, and so are an index and a tangent together.
+ * What lies in the same bits is of the two kinds of material, of which a frame has one. */
 #define EMISSIVE_WORD        \
     {                        \
         4, TL_GROUP_EMISSIVE \
     }
-#define ROW_COMPACT_16                                                     \
-    {                                                                      \
-        .word_count = 5,                                                   \
-        .words = {FOUR_BYTES,                                              \
-                  FOUR_BYTES,                                              \
-                  FOUR_BYTES,                                              \
-                  {4, TL_GROUP_PHONG | TL_GROUP_METAL_ROUGH},              \
-                  EMISSIVE_WORD},                                          \
-        .depth = ATTRIBUTE(TL_DEPTH_METRES, FLOAT_AT(0)),                  \
-        .normal = {TL_NORMAL_OCTAHEDRON,                                   \
-                   {CHANNEL(1, 0, 16, SNORM), CHANNEL(1, 16, 16, SNORM)}}, \
-        .albedo = THREE_BYTES(TL_COLOR_SQUARED, 2, 0),                     \
-        .occlusion = ATTRIBUTE(TL_VALUE_PLAIN, BYTE_AT(2, 24)),            \
-        .specular = THREE_BYTES(TL_COLOR_SQUARED, 3, 0),                   \
-        .shininess = ATTRIBUTE(TL_VALUE_LOGARITHM, BYTE_AT(3, 24)),        \
-        .roughness = ATTRIBUTE(TL_VALUE_PLAIN, CHANNEL(3, 0, 16, UNORM)),  \
-        .metallic = ATTRIBUTE(TL_VALUE_PLAIN, CHANNEL(3, 16, 16, UNORM)),  \
-        .emissive = ATTRIBUTE(TL_COLOR_SHARED, CHANNEL(4, 0, 32, UNORM))   \
+#define BRDF_WORD                           \
+    {                                       \
+        4, TL_GROUP_BRDF | TL_GROUP_TANGENT \
     }
-#define ROW_COMPACT_12                                                                 \
-    {                                                                                  \
-        .word_count = 4, .words = {FOUR_BYTES, FOUR_BYTES, FOUR_BYTES, EMISSIVE_WORD}, \
-        .depth = ATTRIBUTE(TL_DEPTH_METRES, CHANNEL(0, 8, 24, FLOAT24)),               \
-        .occlusion = ATTRIBUTE(TL_VALUE_PLAIN, BYTE_AT(0, 0)),                         \
-        .normal = {TL_NORMAL_OCTAHEDRON,                                               \
-                   {CHANNEL(1, 0, 12, SNORM), CHANNEL(1, 12, 12, SNORM)}},             \
-        .roughness = ATTRIBUTE(TL_VALUE_PLAIN, BYTE_AT(1, 24)),                        \
-        .shininess = ATTRIBUTE(TL_VALUE_LOGARITHM, BYTE_AT(1, 24)),                    \
-        .albedo = THREE_BYTES(TL_COLOR_SQUARED, 2, 0),                                 \
-        .metallic = ATTRIBUTE(TL_VALUE_PLAIN, BYTE_AT(2, 24)),                         \
-        .specular = ATTRIBUTE(TL_COLOR_GRAY, BYTE_AT(2, 24)),                          \
-        .emissive = ATTRIBUTE(TL_COLOR_SHARED, CHANNEL(3, 0, 32, UNORM))               \
+#define BRDF_ATTRIBUTES(word)                                       \
+    .brdf = ATTRIBUTE(TL_VALUE_PLAIN, CHANNEL(word, 24, 8, WHOLE)), \
+    .tangent = {TL_NORMAL_OCTAHEDRON,                               \
+                {CHANNEL(word, 0, 12, SNORM), CHANNEL(word, 12, 12, SNORM)}}
+#define ROW_COMPACT_16                                                                        \
+    {                                                                                         \
+        .word_count = 6, .words = {FOUR_BYTES,    FOUR_BYTES,                                 \
+                                   FOUR_BYTES,    {4, TL_GROUP_PHONG | TL_GROUP_METAL_ROUGH}, \
+                                   EMISSIVE_WORD, BRDF_WORD},                                 \
+        .depth = ATTRIBUTE(TL_DEPTH_METRES, FLOAT_AT(0)),                                     \
+        .normal = {TL_NORMAL_OCTAHEDRON,                                                      \
+                   {CHANNEL(1, 0, 16, SNORM), CHANNEL(1, 16, 16, SNORM)}},                    \
+        .albedo = THREE_BYTES(TL_COLOR_SQUARED, 2, 0),                                        \
+        .occlusion = ATTRIBUTE(TL_VALUE_PLAIN, BYTE_AT(2, 24)),                               \
+        .specular = THREE_BYTES(TL_COLOR_SQUARED, 3, 0),                                      \
+        .shininess = ATTRIBUTE(TL_VALUE_LOGARITHM, BYTE_AT(3, 24)),                           \
+        .roughness = ATTRIBUTE(TL_VALUE_PLAIN, CHANNEL(3, 0, 16, UNORM)),                     \
+        .metallic = ATTRIBUTE(TL_VALUE_PLAIN, CHANNEL(3, 16, 16, UNORM)),                     \
+        .emissive = ATTRIBUTE(TL_COLOR_SHARED, CHANNEL(4, 0, 32, UNORM)), BRDF_ATTRIBUTES(5)  \
+    }
+#define ROW_COMPACT_12                                                                       \
+    {                                                                                        \
+        .word_count = 5,                                                                     \
+        .words = {FOUR_BYTES, FOUR_BYTES, FOUR_BYTES, EMISSIVE_WORD, BRDF_WORD},             \
+        .depth = ATTRIBUTE(TL_DEPTH_METRES, CHANNEL(0, 8, 24, FLOAT24)),                     \
+        .occlusion = ATTRIBUTE(TL_VALUE_PLAIN, BYTE_AT(0, 0)),                               \
+        .normal = {TL_NORMAL_OCTAHEDRON,                                                     \
+                   {CHANNEL(1, 0, 12, SNORM), CHANNEL(1, 12, 12, SNORM)}},                   \
+        .roughness = ATTRIBUTE(TL_VALUE_PLAIN, BYTE_AT(1, 24)),                              \
+        .shininess = ATTRIBUTE(TL_VALUE_LOGARITHM, BYTE_AT(1, 24)),                          \
+        .albedo = THREE_BYTES(TL_COLOR_SQUARED, 2, 0),                                       \
+        .metallic = ATTRIBUTE(TL_VALUE_PLAIN, BYTE_AT(2, 24)),                               \
+        .specular = ATTRIBUTE(TL_COLOR_GRAY, BYTE_AT(2, 24)),                                \
+        .emissive = ATTRIBUTE(TL_COLOR_SHARED, CHANNEL(3, 0, 32, UNORM)), BRDF_ATTRIBUTES(4) \
     }
 
 #ifdef __OPENCL_C_VERSION__

@@ -10,6 +10,7 @@
  *   snorm     a signed whole number over 2^(bits - 1) - 1: half a step. The least number, which no value
  *             needs, means "none" (OpenGL 4.6, 2.3.5.1, reads it as -1).
  *   bytes24   unorm of 24 bits, its highest byte first in memory, as red of RGB.
+ *   whole     a whole number, as it is. Exact; of at most 24 bits.
  *
  * Reading a unorm or snorm multiplies by the rounded step: 2u of the value more, at most 1.5u,
  * u = 2^-24; 0 and both ends are exact (tests/test_number_formats.c). Writing is the host's, in double;
@@ -27,6 +28,7 @@ enum tl_number {
     TL_NUMBER_UNORM,
     TL_NUMBER_SNORM,
     TL_NUMBER_BYTES24,
+    TL_NUMBER_WHOLE,
     TL_NUMBER_COUNT
 };
 
@@ -81,6 +83,8 @@ TL_INLINE real number_value(tl_u32 number, word32 w, tl_u32 shift, tl_u32 bits)
         return WORD_AS_REAL(field << 7);
     if (number == TL_NUMBER_BYTES24)
         return WORD_TO_REAL(swapped_bytes24(field)) * unorm_step(24u);
+    if (number == TL_NUMBER_WHOLE)
+        return WORD_TO_REAL(field);
     return WORD_TO_REAL(field) * unorm_step(bits);
 }
 

@@ -52,6 +52,8 @@ TL_INLINE word32 number_of(tl_packing *p, tl_channel c, tl_u32 planes, real valu
         p->cut |= value < R(0.0) ? planes : 0u;
         return value < R(0.0) ? 0u : rounded_bits(REAL_AS_WORD(finite), 7u);
     }
+    if (c.number == TL_NUMBER_WHOLE)
+        return whole_of(cut_to(p, planes, R(0.0), TO_REAL((1u << c.bits) - 1u), value));
     if (c.number == TL_NUMBER_SNORM)
         return snorm_bits(cut_to(p, planes, R(-1.0), R(1.0), value), c.bits);
     const word32 bits = unorm_bits(cut_to(p, planes, R(0.0), R(1.0), value), c.bits);
@@ -78,19 +80,17 @@ TL_INLINE void put_three(tl_packing *p, const tl_attribute *a, tl_u32 first, vec
 
 /* --- normals ----------------------------------------------------------------------------------- */
 
-TL_INLINE void put_octahedron(tl_packing *p, vec3 v)
+TL_INLINE void put_octahedron(tl_packing *p, const tl_attribute *a, vec3 v)
 {
-    const tl_channel first = p->layout->normal.channels[0];
-    const tl_channel second = p->layout->normal.channels[1];
+    const tl_channel first = a->channels[0], second = a->channels[1];
     const vec2 e = nearest_octahedron(v, (real)((1u << (first.bits - 1u)) - 1u));
     put(p, first, 0u, e.x);
     put(p, second, 0u, e.y);
 }
 
-/* v: unit, or 0: no normal; in the layout's space. */
-TL_INLINE void put_normal(tl_packing *p, vec3 v)
+/* v: unit, or 0: none; in the layout's space. */
+TL_INLINE void put_direction(tl_packing *p, const tl_attribute *a, vec3 v)
 {
-    const tl_attribute *a = &p->layout->normal;
     const int is_none = v.x == R(0.0) && v.y == R(0.0) && v.z == R(0.0);
     if (a->code == TL_NORMAL_XYZ && a->channels[0].number == TL_NUMBER_UNORM) {
         put_three(p, a, 0u, raised_normal(v));
@@ -103,8 +103,20 @@ TL_INLINE void put_normal(tl_packing *p, vec3 v)
     } else if (is_none) {
         put_bits(p, a->channels[0], none_bits(a->channels[0].bits));
     } else {
-        put_octahedron(p, v);
+        put_octahedron(p, a, v);
     }
+}
+
+TL_INLINE void put_normal(tl_packing *p, vec3 v)
+{
+    put_direction(p, &p->layout->normal, v);
+}
+
+/* In world space in every layout that has a place for it. */
+TL_INLINE void put_tangent(tl_packing *p, vec3 v)
+{
+    const tl_attribute *a = &p->layout->tangent;
+    put_direction(p, a, a->channels[0].number == TL_NUMBER_FLOAT ? v : unit3(v));
 }
 
 /* --- depth and position ------------------------------------------------------------------------ */
@@ -224,10 +236,10 @@ TL_INLINE void pack_pixel(tl_packing *p, pixel of, real column, real row)
     put_depth(p, of.depth, column, row);
     put_normal(p, normal_to_store(p, of.normal));
     put_color(p, &layout->albedo, TL_HAS(TL_ALBEDO_R), of.albedo);
-    if (p->needs.present & TL_GROUP_PHONG) {
+    if (p->needs.present & TL_THREE(TL_SPECULAR_R))
         put_color(p, &layout->specular, TL_HAS(TL_SPECULAR_R), of.specular);
+    if (p->needs.present & TL_HAS(TL_SHININESS))
         put_shininess(p, of.shininess);
-    }
     if (p->needs.present & TL_GROUP_METAL_ROUGH) {
         put(p, layout->metallic.channels[0], TL_HAS(TL_METALLIC), of.metallic);
         put(p, layout->roughness.channels[0], TL_HAS(TL_ROUGHNESS), of.roughness);
@@ -236,6 +248,10 @@ TL_INLINE void pack_pixel(tl_packing *p, pixel of, real column, real row)
         put(p, layout->occlusion.channels[0], TL_HAS(TL_OCCLUSION), of.occlusion);
     if (p->needs.present & TL_GROUP_EMISSIVE)
         put_color(p, &layout->emissive, TL_HAS(TL_EMISSIVE_R), of.emissive);
+    if (p->needs.present & TL_GROUP_BRDF)
+        put(p, layout->brdf.channels[0], TL_HAS(TL_BRDF), of.brdf);
+    if (p->needs.present & TL_GROUP_TANGENT)
+        put_tangent(p, of.tangent);
 }
 
 #endif

@@ -24,13 +24,18 @@
     X(TL_OCCLUSION, "ao", 1.0f, "share of the ambient light that arrives, 0 to 1")             \
     X(TL_EMISSIVE_R, "emissive.R", 0.0f, "radiance the surface sends out by itself")           \
     X(TL_EMISSIVE_G, "emissive.G", 0.0f, "linear Rec. 709, 0 and above")                       \
-    X(TL_EMISSIVE_B, "emissive.B", 0.0f, "linear Rec. 709, 0 and above")
+    X(TL_EMISSIVE_B, "emissive.B", 0.0f, "linear Rec. 709, 0 and above")                       \
+    X(TL_BRDF, "brdf", 0.0f, "row of the materials, 1 to 255; 0: the frame's own model")       \
+    X(TL_TANGENT_X, "T.X", 0.0f, "world space, along the surface's grain; unit, or 0")         \
+    X(TL_TANGENT_Y, "T.Y", 0.0f, "world space")                                                \
+    X(TL_TANGENT_Z, "T.Z", 0.0f, "world space")
 
 #define TL_PLANE_NAME(name, channel, empty, meaning) name,
 enum tl_plane { TL_PLANES(TL_PLANE_NAME) TL_PLANE_COUNT };
 #undef TL_PLANE_NAME
 
-/* Sets of planes, as bits 1 << plane. Every set is whole: a file with one of a group has all. */
+/* Sets of planes, as bits 1 << plane. Every set is whole: a file with one of a group has all. But the
+ * exponent may stand without a specular colour beside an index, for rows of materials can bring one. */
 #define TL_HAS(plane) (1u << (plane))
 #define TL_THREE(first) (7u << (first))
 #define TL_GROUP_BASE (TL_HAS(TL_DEPTH) | TL_THREE(TL_NORMAL_X) | TL_THREE(TL_ALBEDO_R))
@@ -38,6 +43,8 @@ enum tl_plane { TL_PLANES(TL_PLANE_NAME) TL_PLANE_COUNT };
 #define TL_GROUP_METAL_ROUGH (TL_HAS(TL_METALLIC) | TL_HAS(TL_ROUGHNESS))
 #define TL_GROUP_OCCLUSION TL_HAS(TL_OCCLUSION)
 #define TL_GROUP_EMISSIVE TL_THREE(TL_EMISSIVE_R)
+#define TL_GROUP_BRDF TL_HAS(TL_BRDF)
+#define TL_GROUP_TANGENT TL_THREE(TL_TANGENT_X)
 
 /* How many planes of `present` stand before `plane`. */
 #ifdef __OPENCL_C_VERSION__

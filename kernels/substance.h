@@ -9,8 +9,8 @@
 /* One pixel (a vector of them) as loaded; what the frame lacks has the value planes.h gives it. */
 typedef struct pixel {
     real depth;
-    vec3 normal, albedo, specular, emissive;
-    real shininess, metallic, roughness, occlusion;
+    vec3 normal, albedo, specular, emissive, tangent;
+    real shininess, metallic, roughness, occlusion, brdf;
 } pixel;
 
 typedef struct substance {

@@ -22,10 +22,9 @@ TL_INLINE vec3 three_channels(const tl_attribute *a, const tl_words *words)
     return v;
 }
 
-/* A direction of any length, in the layout's space; 0 where there is no normal. */
-TL_INLINE vec3 stored_normal(const tl_layout *layout, const tl_words *words)
+/* A direction of any length, in the layout's space; 0 where there is none. */
+TL_INLINE vec3 stored_direction(const tl_attribute *a, const tl_words *words)
 {
-    const tl_attribute *a = &layout->normal;
     const tl_channel first = a->channels[0];
     const vec3 none = {R(0.0), R(0.0), R(0.0)};
     if (a->code == TL_NORMAL_XYZ) {
@@ -43,6 +42,11 @@ TL_INLINE vec3 stored_normal(const tl_layout *layout, const tl_words *words)
     if (a->code == TL_NORMAL_SPHEREMAP)
         return direction_of_spheremap(e);
     return pick3(e.x >= R(-1.0), direction_of_octahedron(e), none);
+}
+
+TL_INLINE vec3 stored_normal(const tl_layout *layout, const tl_words *words)
+{
+    return stored_direction(&layout->normal, words);
 }
 
 TL_INLINE vec3 stored_color(const tl_attribute *a, const tl_words *words)
@@ -124,13 +128,13 @@ TL_INLINE pixel pixel_of(tl_needs needs,
     p.depth = depth;
     p.normal = stored_normal(layout, words);
     p.albedo = stored_color(&layout->albedo, words);
-    p.specular = p.emissive = black;
-    p.shininess = p.metallic = p.roughness = R(0.0);
+    p.specular = p.emissive = p.tangent = black;
+    p.shininess = p.metallic = p.roughness = p.brdf = R(0.0);
     p.occlusion = R(1.0);
-    if (reads_planes(needs, TL_GROUP_PHONG)) {
+    if (reads_planes(needs, TL_THREE(TL_SPECULAR_R)))
         p.specular = stored_color(&layout->specular, words);
+    if (reads_planes(needs, TL_HAS(TL_SHININESS)))
         p.shininess = stored_shininess(layout, words);
-    }
     if (reads_planes(needs, TL_HAS(TL_METALLIC)))
         p.metallic = channel_value(layout->metallic.channels[0], words);
     if (reads_planes(needs, TL_HAS(TL_ROUGHNESS)))
@@ -139,6 +143,10 @@ TL_INLINE pixel pixel_of(tl_needs needs,
         p.occlusion = channel_value(layout->occlusion.channels[0], words);
     if (reads_planes(needs, TL_GROUP_EMISSIVE))
         p.emissive = stored_color(&layout->emissive, words);
+    if (reads_planes(needs, TL_GROUP_BRDF))
+        p.brdf = channel_value(layout->brdf.channels[0], words);
+    if (reads_planes(needs, TL_GROUP_TANGENT))
+        p.tangent = stored_direction(&layout->tangent, words);
     return p;
 }
 

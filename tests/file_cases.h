@@ -80,6 +80,8 @@ static inline void fill_awkward(tl_gbuffer *gbuffer, uint32_t seed)
                 float value = (float)(random >> 8) * 0x1p-20f - 4.0f;
                 if (random >> 28 == 0)
                     memcpy(&value, &special[random >> 10 & 7], sizeof value);
+                if (p == TL_BRDF) /* whole numbers in the file */
+                    value = (float)(random >> 8);
                 plane[(size_t)y * gbuffer->pitch + x] = value;
             }
     }

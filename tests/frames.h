@@ -73,9 +73,13 @@ static inline tl_gbuffer *random_gbuffer(const tl_camera *camera,
         set_pixel(g, TL_DEPTH, at, uniform(&seed, 4.0f, 5.0f));
         for (int axis = 0; axis < 3; axis++)
             set_pixel(g, (enum tl_plane)(TL_NORMAL_X + axis), at, (float)world[axis]);
-        for (int p = TL_ALBEDO_R; p < TL_PLANE_COUNT; p++)
+        for (int p = TL_ALBEDO_R; p < TL_BRDF; p++)
             set_pixel(g, (enum tl_plane)p, at, uniform(&seed, 0.0f, 1.0f));
         set_pixel(g, TL_SHININESS, at, exponents[(int)uniform(&seed, 0.0f, 6.0f)]);
+        if (present & TL_GROUP_BRDF)
+            set_pixel(g, TL_BRDF, at, floorf(uniform(&seed, 0.0f, 255.9f)));
+        for (int p = TL_TANGENT_X; p <= TL_TANGENT_Z && (present & TL_GROUP_TANGENT); p++)
+            set_pixel(g, (enum tl_plane)p, at, uniform(&seed, -1.0f, 1.0f));
     }
     return g;
 }

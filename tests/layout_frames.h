@@ -165,11 +165,17 @@ static inline tl_gbuffer *hard_layout_frame(const tl_camera *camera,
         hard_normal(i, &seed, normal);
         for (int axis = 0; axis < 3; axis++)
             set_pixel(g, (enum tl_plane)(TL_NORMAL_X + axis), at, normal[axis]);
-        for (uint32_t p = TL_ALBEDO_R; p < TL_PLANE_COUNT; p++)
+        for (uint32_t p = TL_ALBEDO_R; p < TL_BRDF; p++)
             set_pixel(g, (enum tl_plane)p, at, hard_share(i / 3 * 5 + p * 7, &seed));
         set_pixel(g, TL_SHININESS, at, hard_exponent(i, &seed));
         for (uint32_t p = TL_EMISSIVE_R; p <= TL_EMISSIVE_B; p++)
             set_pixel(g, (enum tl_plane)p, at, hard_emission(i / 2 + p * 5, &seed));
+        set_pixel(g, TL_BRDF, at, (float)(i % 256));
+        if (!(present & TL_GROUP_TANGENT))
+            continue;
+        hard_normal(i + 5, &seed, normal);
+        for (int axis = 0; axis < 3 && i % 7 != 0; axis++) /* the others have none */
+            set_pixel(g, (enum tl_plane)(TL_TANGENT_X + axis), at, normal[axis]);
     }
     return g;
 }

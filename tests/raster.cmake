@@ -10,6 +10,7 @@ target_include_directories(test_tangent_space PRIVATE ${PROJECT_SOURCE_DIR}/rast
 tl_test(test_capture_view raster tl_raster)
 tl_test(test_capture_damaged raster tl_raster)
 tl_test(test_capture_layouts raster tl_raster)
+tl_test(test_capture_brdf raster tl_raster)
 tl_test(test_capture_filtering raster tl_raster)
 tl_test(test_capture_extensions raster tl_raster)
 tl_test(test_curves raster tl_raster)

@@ -17,6 +17,9 @@ static const uint32_t plane_sets[] = {
     TL_GROUP_BASE | TL_GROUP_EMISSIVE,
     TL_GROUP_BASE | TL_GROUP_PHONG | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE,
     TL_GROUP_BASE | TL_GROUP_METAL_ROUGH | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE,
+    TL_GROUP_BASE | TL_GROUP_BRDF,
+    TL_GROUP_BASE | TL_HAS(TL_SHININESS) | TL_GROUP_BRDF | TL_GROUP_TANGENT,
+    TL_GROUP_BASE | TL_GROUP_METAL_ROUGH | TL_GROUP_BRDF | TL_GROUP_TANGENT,
 };
 
 static void assert_round_trip_of(const char *name,
@@ -68,6 +71,52 @@ static void sizes_and_planes(void **state)
                      plane_sets[p]);
             assert_round_trip(name, &camera, plane_sets[p]);
         }
+}
+
+/* Names of any bytes that text can hold; none where there are none. */
+static void names_of_materials(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"Gold", "", "\"quoted\", [1]", "B\xc3\xa4umchen"};
+    char path[512];
+    tl_error err;
+    tl_gbuffer *written = NULL, *read = NULL;
+    const tl_camera camera = awkward_camera(3, 2);
+    scratch_path(path, sizeof path, "names.exr");
+    for (size_t count = 0; count <= COUNT_OF(names); count += COUNT_OF(names)) {
+        ASSERT_OK(tl_gbuffer_create(&camera, TL_GROUP_BASE, &written, &err), err);
+        for (size_t i = 0; i < count; i++)
+            ASSERT_OK(tl_material_names_add(&written->materials, names[i], &err), err);
+        ASSERT_OK(tl_gbuffer_write(path, written, NULL, &err), err);
+        ASSERT_OK(tl_gbuffer_read(path, &read, NULL, NULL, &err), err);
+        assert_int_equal(read->materials.count, count);
+        for (size_t i = 0; i < count; i++)
+            assert_string_equal(read->materials.of[i], names[i]);
+        tl_gbuffer_destroy(written);
+        tl_gbuffer_destroy(read);
+    }
+    remove(path);
+}
+
+/* Its channel is the last of those in ASCII's order: the last word of a pixel. */
+static void an_index_is_a_whole_number_in_the_file(void **state)
+{
+    (void)state;
+    char path[512];
+    tl_error err;
+    tl_gbuffer *written = NULL;
+    size_t size = 0;
+    const tl_camera camera = awkward_camera(1, 1);
+    scratch_path(path, sizeof path, "index.exr");
+    ASSERT_OK(tl_gbuffer_create(&camera, TL_GROUP_BASE | TL_GROUP_BRDF, &written, &err), err);
+    tl_gbuffer_plane(written, TL_BRDF)[0] = 200.0f;
+    ASSERT_OK(tl_gbuffer_write(path, written, NULL, &err), err);
+    unsigned char *bytes = load_bytes(path, &size);
+    static const unsigned char wanted[] = {200, 0, 0, 0};
+    assert_memory_equal(bytes + size - 4, wanted, 4);
+    free(bytes);
+    tl_gbuffer_destroy(written);
+    remove(path);
 }
 
 static void cameras(void **state)
@@ -163,6 +212,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sizes_and_planes),
         cmocka_unit_test(samples_of_a_pixel),
+        cmocka_unit_test(names_of_materials),
+        cmocka_unit_test(an_index_is_a_whole_number_in_the_file),
         cmocka_unit_test(cameras),
         cmocka_unit_test(lights_go_along),
         cmocka_unit_test(threads_change_nothing),

@@ -21,6 +21,8 @@ static const uint32_t plane_sets[] = {
     TL_GROUP_BASE | TL_GROUP_EMISSIVE,
     TL_GROUP_BASE | TL_GROUP_PHONG | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE,
     TL_GROUP_BASE | TL_GROUP_METAL_ROUGH | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE,
+    TL_GROUP_BASE | TL_HAS(TL_SHININESS) | TL_GROUP_BRDF,
+    TL_GROUP_BASE | TL_GROUP_TANGENT,
 };
 
 /* 0 and 1 of every kind of word: zeros, infinities, quiet and signalling NaN, denormals. */
@@ -43,6 +45,10 @@ static tl_gbuffer *create(const tl_camera *camera, enum tl_layout_name layout, u
 static void fill_with_patterns(tl_gbuffer *g)
 {
     const tl_word_planes planes = tl_word_planes_of(g);
+    const tl_attribute *brdf = &planes.layout->brdf;
+    const uint32_t index_word = brdf->code && brdf->channels[0].number == TL_NUMBER_FLOAT
+                                    ? brdf->channels[0].word
+                                    : TL_MAX_WORDS;
     uint32_t seed = 9;
     for (uint32_t y = 0; y < g->camera.height; y++)
         for (uint32_t x = 0; x < g->camera.width; x++) {
@@ -54,6 +60,10 @@ static void fill_with_patterns(tl_gbuffer *g)
                 words.of[w] = index % 5 == 0
                                   ? special_words[(index / 5 + w) % COUNT_OF(special_words)]
                                   : high | low;
+            }
+            if (index_word < TL_MAX_WORDS) { /* a whole number in the file */
+                const float number = (float)(words.of[index_word] >> 8);
+                memcpy(&words.of[index_word], &number, sizeof number);
             }
             tl_words_put(&planes, (size_t)y * g->pitch + x, words);
         }
@@ -136,6 +146,10 @@ static const struct {
      "word00.viewNormal:0 word01.albedo:0 word02.unused:0 word03.depth:2", 24},
     {TL_LAYOUT_MERLIN, TL_GROUP_BASE | TL_GROUP_PHONG,
      "word00.albedo_shininess:0 word01.viewNormal_specular:0 word02.depth:0", 20},
+    {TL_LAYOUT_MERLIN, TL_GROUP_BASE | TL_HAS(TL_SHININESS) | TL_GROUP_BRDF,
+     "word00.albedo_shininess:0 word01.viewNormal_brdf:0 word02.depth:0", 20},
+    {TL_LAYOUT_COMPACT_16, TL_GROUP_BASE | TL_GROUP_BRDF | TL_GROUP_TANGENT,
+     "word00.depth:2 word01.normal:0 word02.albedo:0 word05.tangent_brdf:0", 24},
     {TL_LAYOUT_DXR,
      TL_GROUP_BASE | TL_GROUP_METAL_ROUGH | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE,
      "word00.albedo:0 word01.viewPositionXY:0 word02.viewPositionZ_emissiveR:0 "

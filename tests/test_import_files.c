@@ -4,6 +4,8 @@
 
 #include "foreign_exr.h"
 #include "foreign_frame.h"
+#include "frames.h"
+#include "tilelight/gbuffer_file.h"
 #include "tilelight/image.h"
 
 static const struct {
@@ -313,6 +315,7 @@ static void materials_are_told_apart(void **state)
          TL_GROUP_METAL_ROUGH,
          "specular is ignored"},
         {{"ao=A", "emissive=albedo"}, TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE, ""},
+        {{"brdf=A", "tangent=albedo"}, TL_GROUP_BRDF | TL_GROUP_TANGENT, ""},
     };
     (void)state;
     char path[512];
@@ -345,6 +348,35 @@ static void materials_are_told_apart(void **state)
     remove(path);
 }
 
+/* By its name, and as whole numbers or others; a file of ours that brings its camera is mapped. */
+static void indices_of_any_type_are_read(void **state)
+{
+    static const char *const maps[] = {"normal=N.XYZ", "brdf=brdf", "brdf=ao"};
+    char path[512];
+    const tl_camera camera = camera_of(4, 3, TL_PERSPECTIVE);
+    tl_gbuffer *made = random_gbuffer(
+        &camera, TL_GROUP_BASE | TL_GROUP_OCCLUSION | TL_GROUP_BRDF | TL_GROUP_TANGENT, 5);
+    tl_error err;
+    (void)state;
+    scratch_path(path, sizeof path, "indices.exr");
+    tl_gbuffer_plane(made, TL_BRDF)[0] = 200.0f;
+    tl_gbuffer_plane(made, TL_OCCLUSION)[0] = 7.0f;
+    ASSERT_OK(tl_gbuffer_write(path, made, NULL, &err), err);
+    for (size_t i = 0; i < COUNT_OF(maps); i++) {
+        tl_import_options options = tl_import_options_default();
+        tl_gbuffer *read = NULL;
+        ASSERT_OK(tl_import_map_parse(maps[i], &options.maps[options.map_count++], &err), err);
+        ASSERT_OK(tl_import_read(path, &options, NULL, &read, NULL, &err), err);
+        assert_int_equal(read->present, made->present);
+        assert_true(same_bits(tl_gbuffer_plane(read, TL_BRDF)[0], i < 2 ? 200.0f : 7.0f));
+        assert_true(same_bits(tl_gbuffer_plane(read, TL_TANGENT_X)[0],
+                              tl_gbuffer_plane(made, TL_TANGENT_X)[0]));
+        tl_gbuffer_destroy(read);
+    }
+    tl_gbuffer_destroy(made);
+    remove(path);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -354,6 +386,7 @@ int main(void)
         cmocka_unit_test(coverage_counts),
         cmocka_unit_test(pixels_may_be_wide),
         cmocka_unit_test(materials_are_told_apart),
+        cmocka_unit_test(indices_of_any_type_are_read),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -274,12 +274,14 @@ static void check_materials(const spot *s,
     three(unpacked, TL_ALBEDO_R, s->at, read);
     oracle_color(row->albedo, &f[F_ar], got);
     check_values(s, TL_ALBEDO_R, 3, want, got, read);
-    if (packed->present & TL_GROUP_PHONG) {
-        const wide decoded = oracle_exponent(row->exponent, f[F_exponent]);
-        const wide as_read = value(unpacked, TL_SHININESS, s->at);
+    if (packed->present & TL_THREE(TL_SPECULAR_R)) {
         three(unpacked, TL_SPECULAR_R, s->at, read);
         oracle_color(row->specular, &f[F_sr], got);
         check_values(s, TL_SPECULAR_R, 3, specular, got, read);
+    }
+    if (packed->present & TL_HAS(TL_SHININESS)) {
+        const wide decoded = oracle_exponent(row->exponent, f[F_exponent]);
+        const wide as_read = value(unpacked, TL_SHININESS, s->at);
         check_values(s, TL_SHININESS, 1, &exponent, &decoded, &as_read);
     }
     if (packed->present & TL_GROUP_METAL_ROUGH) {
@@ -314,6 +316,42 @@ static void check_others(const spot *s,
     }
 }
 
+/* In world space; 0 stays 0. */
+static void check_tangent(const spot *s, const char *reader, const wide got[3])
+{
+    wide want[3];
+    three(s->from, TL_TANGENT_X, s->at, want);
+    const int is_none = is_zero(want);
+    if (is_none != is_zero(got))
+        fail_msg("%s, %s, pixel (%u, %u), %s: a tangent where none is, or none where one is",
+                 tl_layout_word(s->layout), s->camera, s->column, s->row, reader);
+    if (is_none)
+        return;
+    const double given[3] = {(double)want[0], (double)want[1], (double)want[2]};
+    check(s, reader, TL_TANGENT_X, "tangent off by", angle_between(got, want), 0,
+          (wide)tl_tangent_bound(s->layout, given));
+}
+
+static void check_rows_of_materials(const spot *s,
+                                    const tl_gbuffer *packed,
+                                    const wide f[F_COUNT],
+                                    const tl_gbuffer *unpacked)
+{
+    if (packed->present & TL_GROUP_BRDF) {
+        const wide index = value(s->from, TL_BRDF, s->at),
+                   as_read = value(unpacked, TL_BRDF, s->at);
+        check_values(s, TL_BRDF, 1, &index, &f[F_bi], &as_read);
+    }
+    if (packed->present & TL_GROUP_TANGENT) {
+        wide got[3] = {f[F_tx], f[F_ty], f[F_tz]}, read[3];
+        if (oracle_rows[s->layout].normal == OCTAHEDRON)
+            oracle_octahedron(&f[F_tx], got);
+        three(unpacked, TL_TANGENT_X, s->at, read);
+        check_tangent(s, "by definition", got);
+        check_tangent(s, "unpacked", read);
+    }
+}
+
 /* --- frames ------------------------------------------------------------------------------------------- */
 
 static void check_pixel(const spot *s,
@@ -332,6 +370,7 @@ static void check_pixel(const spot *s,
     check_normal(s, fields, normal);
     check_materials(s, packed, fields, unpacked);
     check_others(s, packed, fields, unpacked, counts);
+    check_rows_of_materials(s, packed, fields, unpacked);
 }
 
 static void assert_same_counts(const tl_packing_report *got,
@@ -394,7 +433,8 @@ static void every_layout(uint32_t present)
 static void every_layout_of_phong(void **state)
 {
     (void)state;
-    every_layout(TL_GROUP_BASE | TL_GROUP_PHONG | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE);
+    every_layout(TL_GROUP_BASE | TL_GROUP_PHONG | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE |
+                 TL_GROUP_BRDF | TL_GROUP_TANGENT);
 }
 
 static void every_layout_of_metal(void **state)
@@ -417,8 +457,10 @@ static int is_lossy(enum tl_layout_name layout, enum tl_plane plane)
     double position[3];
     tl_position_bound(&camera, layout, view, position);
     if (!(tl_layout_planes(layout) >> plane & 1u) || plane == TL_NORMAL_Y ||
-        plane == TL_NORMAL_Z)
+        plane == TL_NORMAL_Z || plane == TL_TANGENT_Y || plane == TL_TANGENT_Z)
         return 0;
+    if (plane == TL_TANGENT_X)
+        return tl_tangent_bound(layout, half) > 0.0;
     return (plane == TL_DEPTH      ? position[2]
             : plane == TL_NORMAL_X ? tl_normal_bound(&camera, layout, half)
                                    : tl_value_bound(layout, plane, half)) > 0.0;

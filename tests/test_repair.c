@@ -27,6 +27,13 @@ static const struct {
     {"emission has no limit to speak of", TL_EMISSIVE_R, 1e20f, 1e20f, 0, 0, 0},
     {"NaN emission is none", TL_EMISSIVE_B, NAN, 0.0f, 0, 0, 1},
     {"occlusion above 1 is 1", TL_OCCLUSION, 2.0f, 1.0f, 0, 0, 1},
+    {"the last index stays", TL_BRDF, 255.0f, 255.0f, 0, 0, 0},
+    {"an index above it is none", TL_BRDF, 256.0f, 0.0f, 0, 0, 1},
+    {"half an index is none", TL_BRDF, 2.5f, 0.0f, 0, 0, 1},
+    {"NaN is no index", TL_BRDF, NAN, 0.0f, 0, 0, 1},
+    {"a tangent points anywhere", TL_TANGENT_Y, -17.0f, -17.0f, 0, 0, 0},
+    {"NaN is no tangent", TL_TANGENT_Y, NAN, 0.0f, 0, 0, 1},
+    {"minus infinity is no tangent", TL_TANGENT_Z, -INFINITY, 0.0f, 0, 0, 1},
 };
 
 enum { WIDTH = 5, HEIGHT = 4, X = 3, Y = 2 };
@@ -43,14 +50,15 @@ static tl_gbuffer *good_gbuffer(tl_projection projection)
                               .near = 0.1f,
                               .far = 10,
                               .view_from_world = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
-    const uint32_t present =
-        TL_GROUP_BASE | TL_GROUP_PHONG | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE;
+    const uint32_t present = TL_GROUP_BASE | TL_GROUP_PHONG | TL_GROUP_OCCLUSION |
+                             TL_GROUP_EMISSIVE | TL_GROUP_BRDF | TL_GROUP_TANGENT;
     tl_gbuffer *g = NULL;
     tl_error err;
     ASSERT_OK(tl_gbuffer_create(&camera, present, &g, &err), err);
     for (int p = 0; p < TL_PLANE_COUNT; p++)
         for (uint32_t i = 0; tl_gbuffer_plane(g, (enum tl_plane)p) && i < WIDTH * HEIGHT; i++)
-            tl_gbuffer_plane(g, (enum tl_plane)p)[i / WIDTH * g->pitch + i % WIDTH] = 0.5f;
+            tl_gbuffer_plane(g, (enum tl_plane)p)[i / WIDTH * g->pitch + i % WIDTH] =
+                p == TL_BRDF ? 3.0f : 0.5f;
     return g;
 }
 

@@ -89,6 +89,60 @@ static const uint32_t minus_infinities[] = {
 
 enum { FAULTY_X = 17, FAULTY_Y = 11 };
 
+/* Indices and tangents in floats that layouts of full float have: in neither is a number that is none, and an
+ * index is whole. 0 in every pixel is neutral, in an octahedron too. */
+static void indices_and_tangents(void **state)
+{
+    static const struct {
+        enum tl_plane plane;
+        float value, repaired;
+    } cases[] = {{TL_BRDF, 7.0f, 7.0f},        {TL_BRDF, 7.5f, 0.0f},
+                 {TL_BRDF, 256.0f, 0.0f},      {TL_BRDF, NAN, 0.0f},
+                 {TL_TANGENT_Y, -2.0f, -2.0f}, {TL_TANGENT_Y, NAN, 0.0f}};
+    static const enum tl_layout_name layouts[] = {TL_LAYOUT_FLOAT_FORWARD,
+                                                  TL_LAYOUT_FLOAT_POSITION,
+                                                  TL_LAYOUT_COMPACT_16, TL_LAYOUT_MERLIN};
+    const tl_camera camera = camera_of(WIDTH, HEIGHT, TL_PERSPECTIVE);
+    (void)state;
+    for (size_t l = 0; l < COUNT_OF(layouts); l++)
+        for (size_t i = 0; i < COUNT_OF(cases); i++) {
+            const int is_float = l < 2, is_good = same_bits(cases[i].value, cases[i].repaired);
+            tl_gbuffer *from = random_gbuffer(&camera, TL_GROUP_BASE, 3), *full = NULL,
+                       *g = NULL, *back = NULL;
+            tl_repairs repairs;
+            tl_error err;
+            ASSERT_OK(tl_gbuffer_create(&camera,
+                                        TL_GROUP_BASE | TL_GROUP_BRDF | TL_GROUP_TANGENT, &full,
+                                        &err),
+                      err);
+            for (int p = 0; p <= TL_ALBEDO_B; p++)
+                memcpy(tl_gbuffer_plane(full, (enum tl_plane)p),
+                       tl_gbuffer_plane(from, (enum tl_plane)p),
+                       (size_t)full->pitch * full->rows * sizeof(float));
+            ASSERT_OK(tl_gbuffer_pack(full, layouts[l], &g, NULL, &err), err);
+            const uint32_t both = g->present & (TL_GROUP_BRDF | TL_GROUP_TANGENT);
+            assert_int_equal(g->neutral & both, both);
+            if (is_float) {
+                const uint32_t word =
+                    (uint32_t)cases[i].plane + (layouts[l] == TL_LAYOUT_FLOAT_POSITION ? 2 : 0);
+                ((float *)tl_gbuffer_words(g, word))[0] = cases[i].value;
+                ASSERT_OK(tl_gbuffer_repair(g, "faulty", false, &repairs, &err), err);
+                assert_int_equal(repairs.value, !is_good);
+                ASSERT_OK(tl_gbuffer_unpack(g, &back, &err), err);
+                assert_true(
+                    same_bits(tl_gbuffer_plane(back, cases[i].plane)[0], cases[i].repaired));
+                assert_int_equal((g->neutral & TL_HAS(TL_BRDF)) == 0,
+                                 cases[i].plane == TL_BRDF && is_good);
+                assert_int_equal((g->neutral & TL_HAS(TL_TANGENT_X)) == 0,
+                                 cases[i].plane != TL_BRDF && is_good);
+            }
+            tl_gbuffer_destroy(back);
+            tl_gbuffer_destroy(g);
+            tl_gbuffer_destroy(full);
+            tl_gbuffer_destroy(from);
+        }
+}
+
 static void assert_fault_is_found(tl_gbuffer *g, const char *attribute, const char *what)
 {
     char expected[128];
@@ -244,6 +298,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(good_frames_stay),
         cmocka_unit_test(a_number_that_is_none_is_found_and_named),
+        cmocka_unit_test(indices_and_tangents),
         cmocka_unit_test(any_bits_become_safe),
         cmocka_unit_test(slack_holds_every_position),
         cmocka_unit_test(slack_is_infinite_at_first),

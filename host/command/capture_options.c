@@ -10,7 +10,8 @@ enum {
     OPTION_TIME,
     OPTION_ANIMATION,
     OPTION_VARIANT,
-    OPTION_SAMPLES
+    OPTION_SAMPLES,
+    OPTION_MATERIALS
 };
 
 static const uint32_t anisotropies[] = {1, 2, 4, 8, TL_MAX_ANISOTROPY};
@@ -34,6 +35,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         options->samples = value_among(state, "--samples", text, sample_counts,
                                        sizeof sample_counts / sizeof sample_counts[0]);
         return 0;
+    case OPTION_MATERIALS: options->materials = true; return 0;
     case OPTION_VARIANT: options->variant = text; return 0;
     case OPTION_LAYOUT: options->layout = value_layout(state, "--layout", text); return 0;
     case OPTION_ANISOTROPY:
@@ -56,6 +58,11 @@ static const struct argp_option options_table[] = {
      0},
     {"variant", OPTION_VARIANT, "NAME|INDEX", 0,
      "A variant of the file's materials (default: none of them)", 0},
+    {"materials", OPTION_MATERIALS, NULL, 0,
+     "Also the index of each pixel's material, for lights files with \"materials\", its "
+     "tangent "
+     "where there are any, and the materials' names",
+     0},
     {"time", OPTION_TIME, "SECONDS", 0,
      "The moment of an animation, at its end if it has ended before (default: the scene as "
      "the file has it, or 0 with --animation)",

@@ -86,7 +86,7 @@ static void say_dropped(job *j, const losses *of)
     json_t *names = json_array();
     for (size_t i = 0; i < TL_PLANE_GROUP_COUNT; i++)
         if (of->packing.dropped & tl_plane_groups[i].planes)
-            json_array_append_new(names, json_string(tl_plane_groups[i].name));
+            json_array_append_new(names, json_string(tl_dropped_name(i, of->packing.dropped)));
     tl_layout_tell_dropped(of->layout, of->path, of->packing.dropped, &console_notices);
     job_report(j, "dropped", names);
 }

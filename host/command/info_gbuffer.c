@@ -87,6 +87,24 @@ static void print_samples(const tl_gbuffer *g)
                g->camera.width / side, g->camera.height / side);
 }
 
+/* By their indices in the plane brdf. */
+static void print_materials(const tl_material_names *names)
+{
+    for (uint32_t i = 0; i < names->count; i++) {
+        printf("%-12s%-4u", i == 0 ? "materials" : "", i + 1);
+        info_print_text(names->of[i][0] ? names->of[i] : "(no name)", 0);
+        putchar('\n');
+    }
+}
+
+static json_t *materials_json(const tl_material_names *names)
+{
+    json_t *out = json_array();
+    for (uint32_t i = 0; i < names->count; i++)
+        json_array_append_new(out, json_string(names->of[i]));
+    return out;
+}
+
 void info_print_gbuffer(const info_gbuffer *of)
 {
     const tl_gbuffer *g = of->pixels;
@@ -102,6 +120,7 @@ void info_print_gbuffer(const info_gbuffer *of)
         const info_values values = measure(g, p);
         info_print_values(planes[p].channel, &values);
     }
+    print_materials(&of->file->materials);
     if (of->has_lights)
         info_print_lights(of->lights);
     else
@@ -149,11 +168,11 @@ json_t *info_gbuffer_json(const info_gbuffer *of)
         const info_values values = measure(g, p);
         json_object_set_new(measured, planes[p].channel, info_values_json(&values));
     }
-    return json_pack("{ss s[ii] si sf ss si so so so so}", "kind", "gbuffer", "size",
+    return json_pack("{ss s[ii] si sf ss si so so so so so}", "kind", "gbuffer", "size",
                      (int)g->camera.width, (int)g->camera.height, "samples", (int)g->samples,
                      "coverage", coverage(g), "layout", tl_layout_word(of->file->layout),
                      "bytes_per_pixel", (int)tl_gbuffer_pixel_size(of->file), "channels",
                      channels_json(of->file), "camera", camera_json(&g->camera), "planes",
-                     measured, "lights",
+                     measured, "materials", materials_json(&of->file->materials), "lights",
                      of->has_lights ? info_lights_json(of->lights) : json_null());
 }

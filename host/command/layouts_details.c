@@ -14,6 +14,7 @@ static const char *const number_words[TL_NUMBER_COUNT] = {
     [TL_NUMBER_FLOAT] = "float",     [TL_NUMBER_HALF] = "half",
     [TL_NUMBER_FLOAT24] = "float24", [TL_NUMBER_UNORM] = "unorm",
     [TL_NUMBER_SNORM] = "snorm",     [TL_NUMBER_BYTES24] = "unorm, high byte first",
+    [TL_NUMBER_WHOLE] = "whole",
 };
 static const char *const depth_words[TL_DEPTH_CODE_COUNT] = {
     [TL_DEPTH_METRES] = "metres",
@@ -55,6 +56,8 @@ static const struct {
     {"roughness", offsetof(tl_layout, roughness), value_words_of, TL_ROUGHNESS},
     {"occlusion", offsetof(tl_layout, occlusion), value_words_of, TL_OCCLUSION},
     {"emission", offsetof(tl_layout, emissive), color_words, TL_EMISSIVE_R},
+    {"brdf", offsetof(tl_layout, brdf), value_words_of, TL_BRDF},
+    {"tangent", offsetof(tl_layout, tangent), normal_words, TL_TANGENT_X},
 };
 enum { ATTRIBUTE_COUNT = sizeof attributes / sizeof attributes[0] };
 
@@ -158,7 +161,8 @@ void layout_print_details(enum tl_layout_name layout)
 {
     const tl_layout *row = &tl_layouts[layout];
     const tl_layout_info *info = tl_layout_describe(layout);
-    const uint32_t all = layout_content(layout, TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE);
+    const uint32_t all = layout_content(layout, TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE |
+                                                    TL_GROUP_BRDF | TL_GROUP_TANGENT);
     const tl_pass_words words = tl_pass_words_of(layout, all, true);
     printf("%-12s%s\nsource      %s\n", tl_layout_word(layout), info->summary, info->source);
     printf("bytes       %u; with all that the layout can hold of a frame %u\n",

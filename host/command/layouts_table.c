@@ -39,7 +39,7 @@ uint32_t layout_content(enum tl_layout_name layout, uint32_t more)
     const uint32_t can_hold = tl_layout_planes(layout);
     const uint32_t material =
         can_hold & TL_GROUP_METAL_ROUGH ? TL_GROUP_METAL_ROUGH : TL_GROUP_PHONG;
-    return can_hold & (TL_GROUP_BASE | material | more);
+    return tl_layout_planes_of(layout, can_hold & (TL_GROUP_BASE | material | more));
 }
 
 uint32_t layout_pixel_size(enum tl_layout_name layout, uint32_t present)
@@ -60,6 +60,8 @@ static const struct {
     {"metal_rough", "metal-rough", TL_GROUP_METAL_ROUGH},
     {"occlusion", "occlusion", TL_GROUP_OCCLUSION},
     {"emission", "emission", TL_GROUP_EMISSIVE},
+    {"brdf", "index", TL_GROUP_BRDF},
+    {"tangent", "tangent", TL_GROUP_TANGENT},
 };
 enum { GROUP_COUNT = sizeof groups / sizeof groups[0] };
 
@@ -84,7 +86,7 @@ static void print_contents(enum tl_layout_name layout)
                      groups[i].word);
             between = ", ";
         }
-    printf("%-44s  %s\n", can_hold == none ? "no material" : list,
+    printf("%-62s  %s\n", can_hold == none ? "no material" : list,
            tl_layout_describe(layout)->summary);
 }
 
@@ -136,7 +138,7 @@ static void print_footing(void)
 
 void layouts_print(void)
 {
-    printf("%-18s %5s %4s %4s  %-44s  %s\n", "layout", "bytes", "ao", "em",
+    printf("%-18s %5s %4s %4s  %-62s  %s\n", "layout", "bytes", "ao", "em",
            "holds, beside depth, normal, albedo", "what it is");
     for (int i = 0; i < TL_LAYOUT_COUNT; i++)
         print_contents((enum tl_layout_name)i);

@@ -65,7 +65,7 @@ done:
 static tl_status find_planes(const tl_exr_reader *reader, uint32_t *present, tl_error *err)
 {
     static const uint32_t groups[] = {TL_GROUP_PHONG, TL_GROUP_METAL_ROUGH, TL_GROUP_OCCLUSION,
-                                      TL_GROUP_EMISSIVE};
+                                      TL_GROUP_EMISSIVE, TL_GROUP_TANGENT};
     tl_status status = TL_OK;
     uint32_t found = 0, wanted = TL_GROUP_BASE;
     for (enum tl_plane p = 0; p < TL_PLANE_COUNT; p++)
@@ -74,8 +74,12 @@ static tl_status find_planes(const tl_exr_reader *reader, uint32_t *present, tl_
     for (size_t i = 0; i < sizeof groups / sizeof groups[0]; i++)
         if (found & groups[i])
             wanted |= groups[i];
+    /* An index may be a number of any type; and beside it an exponent may stand alone. */
+    wanted |= found & TL_GROUP_BRDF;
+    if ((found & TL_GROUP_BRDF) && !(found & TL_THREE(TL_SPECULAR_R)))
+        wanted &= ~TL_THREE(TL_SPECULAR_R);
     for (enum tl_plane p = 0; p < TL_PLANE_COUNT; p++)
-        if (wanted & TL_HAS(p))
+        if ((wanted & TL_HAS(p)) && p != TL_BRDF)
             TRY(tl_exr_reader_require(reader, tl_plane_channels[p], err));
     *present = wanted;
 done:
@@ -117,6 +121,12 @@ static tl_status read_planes_named(tl_exr_reader *reader,
         found |= TL_HAS(p);
         text += length + (text[length] == ' ');
     }
+    if (tl_layout_planes_of(layout, found) != found)
+        TRY(tl_fail(
+            err, TL_ERR_FORMAT,
+            "%s: attribute \"%s\": layout %s has one place for \"specular\" and \"brdf\", "
+            "not both",
+            path, attribute, tl_layout_word(layout)));
     *present = found;
 done:
     return status;

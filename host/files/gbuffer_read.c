@@ -1,6 +1,7 @@
 #include "tilelight/gbuffer_file.h"
 
 #include "gbuffer_header.h"
+#include "material_attribute.h"
 #include "packing.h"
 #include "parallel.h"
 #include "try.h"
@@ -81,7 +82,7 @@ static tl_status read_words(tl_exr_reader *reader,
     size_t split_count = 0;
     for (size_t i = 0; i < of->channel_count; i++) {
         const tl_word_channel *c = &of->channels[i];
-        targets[i] = (tl_exr_target){.channel = c->name, .held = (exr_pixel_type_t)c->type};
+        targets[i] = (tl_exr_target){.channel = c->name, .held = (exr_pixel_type_t)c->held};
         if (tl_word_is_whole(c)) {
             targets[i].plane = tl_gbuffer_words(gbuffer, c->first_word);
             continue;
@@ -138,6 +139,7 @@ tl_status tl_gbuffer_read(
     if (has)
         TRY(read_lights(&reader, &brought, err));
     TRY(create(&reader, &promised, &made, err));
+    TRY(tl_material_attribute_read(&reader, &made->materials, err));
     TRY(read_words(&reader, &promised, made, err));
 
     *out = made;

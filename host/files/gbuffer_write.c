@@ -3,6 +3,7 @@
 #include "camera_attributes.h"
 #include "exr_writer.h"
 #include "gbuffer_preview.h"
+#include "material_attribute.h"
 #include "plane_channels.h"
 #include "try.h"
 #include "word_channels.h"
@@ -81,6 +82,7 @@ static tl_status set_attributes(tl_exr_stream *stream,
         TRY(tl_exr_check(
             stream,
             exr_attr_set_int(context, 0, "tilelight:samples", (int32_t)gbuffer->samples), err));
+    TRY(tl_material_attribute_write(stream, &gbuffer->materials, err));
     TRY(tl_camera_attributes_write(stream, &gbuffer->camera, err));
     if (lights) {
         TRY(tl_lights_format(lights, &text, err));
@@ -115,7 +117,7 @@ static size_t list_channels(source *from,
         channels[count++] = (tl_exr_channel){
             .name = words[i].name,
             .type = type,
-            .held = type,
+            .held = (exr_pixel_type_t)words[i].held,
             .plane = whole ? tl_gbuffer_words(gbuffer, words[i].first_word) : NULL};
     }
     return count;

@@ -18,12 +18,14 @@ static const struct {
     {offsetof(tl_layout, depth), TL_HAS(TL_DEPTH), "depth", "XYZ"},
     {offsetof(tl_layout, normal), TL_THREE(TL_NORMAL_X), "normal", "XYZ"},
     {offsetof(tl_layout, albedo), TL_THREE(TL_ALBEDO_R), "albedo", "RGB"},
-    {offsetof(tl_layout, specular), TL_GROUP_PHONG, "specular", "RGB"},
-    {offsetof(tl_layout, shininess), TL_GROUP_PHONG, "shininess", ""},
+    {offsetof(tl_layout, specular), TL_THREE(TL_SPECULAR_R), "specular", "RGB"},
+    {offsetof(tl_layout, shininess), TL_HAS(TL_SHININESS), "shininess", ""},
     {offsetof(tl_layout, metallic), TL_GROUP_METAL_ROUGH, "metallic", ""},
     {offsetof(tl_layout, roughness), TL_GROUP_METAL_ROUGH, "roughness", ""},
     {offsetof(tl_layout, occlusion), TL_GROUP_OCCLUSION, "ao", ""},
     {offsetof(tl_layout, emissive), TL_GROUP_EMISSIVE, "emissive", "RGB"},
+    {offsetof(tl_layout, brdf), TL_GROUP_BRDF, "brdf", ""},
+    {offsetof(tl_layout, tangent), TL_GROUP_TANGENT, "tangent", "XYZ"},
 };
 enum { ATTRIBUTE_COUNT = sizeof attributes / sizeof attributes[0] };
 
@@ -103,7 +105,8 @@ static void set_name(const tl_layout *layout, uint32_t present, tl_word_channel 
         snprintf(c->name + length, sizeof c->name - length, ".unused");
 }
 
-/* A word that is one number of floating point is such a channel. */
+/* A word that is one number of floating point is such a channel; but an index is a whole number to whoever
+ * reads the file. */
 static enum tl_word_type type_of(const tl_layout *layout, uint32_t present, uint32_t word)
 {
     for (size_t i = 0; i < ATTRIBUTE_COUNT; i++) {
@@ -113,12 +116,20 @@ static enum tl_word_type type_of(const tl_layout *layout, uint32_t present, uint
             if (part.word != word || part.bits != 8 * layout->words[word].bytes)
                 continue;
             if (part.number == TL_NUMBER_FLOAT)
-                return TL_WORD_FLOAT;
+                return attributes[i].planes == TL_GROUP_BRDF ? TL_WORD_UINT : TL_WORD_FLOAT;
             if (part.number == TL_NUMBER_HALF)
                 return TL_WORD_HALF;
         }
     }
     return TL_WORD_UINT;
+}
+
+/* Whether the word is an index, which memory holds as a float. */
+static int is_index(const tl_layout *layout, uint32_t present, uint32_t word)
+{
+    const tl_channel c = layout->brdf.channels[0];
+    return (present & TL_GROUP_BRDF) && layout->brdf.code && c.word == word &&
+           c.number == TL_NUMBER_FLOAT;
 }
 
 static int joins(const tl_layout *layout, uint32_t present, const tl_word_channel *c)
@@ -144,6 +155,7 @@ size_t tl_word_channels(enum tl_layout_name name,
             continue;
         }
         c.type = type_of(layout, present, w);
+        c.held = is_index(layout, present, w) ? TL_WORD_FLOAT : c.type;
         while (joins(layout, present, &c))
             c.bits += 8 * layout->words[c.first_word + c.word_count++].bytes;
         if (name == TL_LAYOUT_FLOAT)

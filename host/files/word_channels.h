@@ -15,7 +15,8 @@ extern const char *const tl_word_types[]; /* "uint", ... */
  * has four bytes, or two where it is a half. */
 typedef struct tl_word_channel {
     char name[64];
-    enum tl_word_type type;
+    enum tl_word_type type; /* in the file */
+    enum tl_word_type held; /* in memory: the same; of an index float */
     uint32_t first_word, word_count;
     uint32_t bits; /* of the number that are words */
 } tl_word_channel;

@@ -48,7 +48,7 @@ static bool is_whole(tl_channel c)
  * A float holds every plane exactly: those who store what they computed add half_float_ulp. */
 static double number_error(tl_channel c, double value)
 {
-    if (c.number == TL_NUMBER_FLOAT)
+    if (c.number == TL_NUMBER_FLOAT || c.number == TL_NUMBER_WHOLE)
         return 0.0;
     if (c.number == TL_NUMBER_HALF)
         return half_ulp(value, 11, -13) + half_float_ulp(value * 0x1p-112) * 0x1p112;
@@ -61,6 +61,8 @@ static double number_limit(tl_channel c)
 {
     if (c.number == TL_NUMBER_FLOAT || c.number == TL_NUMBER_FLOAT24)
         return INFINITY;
+    if (c.number == TL_NUMBER_WHOLE)
+        return (double)((1u << c.bits) - 1u);
     return c.number == TL_NUMBER_HALF ? TL_MOST_HALF : 1.0;
 }
 
@@ -427,6 +429,8 @@ static const struct {
     [TL_ROUGHNESS] = {offsetof(tl_layout, roughness), -1},
     [TL_OCCLUSION] = {offsetof(tl_layout, occlusion), -1},
     COLOR(TL_EMISSIVE_R, emissive),
+    [TL_BRDF] = {offsetof(tl_layout, brdf), -1},
+    COLOR(TL_TANGENT_X, tangent),
 #undef COLOR
 };
 
@@ -438,9 +442,17 @@ static const tl_attribute *attribute_of(enum tl_layout_name layout, enum tl_plan
 double tl_value_bound(enum tl_layout_name layout, enum tl_plane plane, const double values[3])
 {
     const tl_attribute *a = attribute_of(layout, plane);
-    assert(plane >= TL_ALBEDO_R && a->code != 0);
+    assert(plane >= TL_ALBEDO_R && plane <= TL_BRDF && a->code != 0);
     return planes[plane].channel < 0 ? value_errors[a->code](a, values[0])
                                      : color_errors[a->code](a, values, planes[plane].channel);
+}
+
+double tl_tangent_bound(enum tl_layout_name layout, const double tangent[3])
+{
+    const tl_attribute *a = &tl_layouts[layout].tangent;
+    const double length = length_of(tangent);
+    const double unit[3] = {tangent[0] / length, tangent[1] / length, tangent[2] / length};
+    return normal_errors[a->code](a, unit);
 }
 
 static void depth_range(const tl_camera *camera,
@@ -470,7 +482,7 @@ void tl_layout_range(const tl_camera *camera,
     *high = number_limit(a->channels[channel]);
     if (plane == TL_DEPTH) {
         depth_range(camera, a, low, high);
-    } else if (plane <= TL_NORMAL_Z) {
+    } else if (plane <= TL_NORMAL_Z || plane >= TL_TANGENT_X) {
         *low = -1.0;
         *high = 1.0;
     } else if (plane == TL_SHININESS && a->code == TL_VALUE_LOGARITHM) {

@@ -28,7 +28,9 @@ TL_INLINE pixel pixel_at(float *const planes[TL_PLANE_COUNT], size_t at)
                      .shininess = value_at(planes[TL_SHININESS], at, R(0.0)),
                      .metallic = value_at(planes[TL_METALLIC], at, R(0.0)),
                      .roughness = value_at(planes[TL_ROUGHNESS], at, R(0.0)),
-                     .occlusion = value_at(planes[TL_OCCLUSION], at, R(1.0))};
+                     .occlusion = value_at(planes[TL_OCCLUSION], at, R(1.0)),
+                     .brdf = value_at(planes[TL_BRDF], at, R(0.0)),
+                     .tangent = three_at(planes, TL_TANGENT_X, at)};
     return p;
 }
 

@@ -15,6 +15,8 @@ const tl_plane_group tl_plane_groups[TL_PLANE_GROUP_COUNT] = {
     {"metallic and roughness", TL_GROUP_METAL_ROUGH},
     {"ao", TL_GROUP_OCCLUSION},
     {"emissive", TL_GROUP_EMISSIVE},
+    {"brdf", TL_GROUP_BRDF},
+    {"tangent", TL_GROUP_TANGENT},
 };
 
 uint32_t tl_samples_side(uint32_t samples)
@@ -38,6 +40,9 @@ tl_status tl_planes_check(uint32_t present, tl_error *err)
                        "both: albedo means another colour in each");
     for (size_t i = 0; i < TL_PLANE_GROUP_COUNT; i++) {
         const uint32_t planes = tl_plane_groups[i].planes;
+        if (planes == TL_GROUP_PHONG && (present & planes) == TL_HAS(TL_SHININESS) &&
+            (present & TL_GROUP_BRDF))
+            continue;
         if ((present & planes) && (present & planes) != planes)
             return tl_fail(err, TL_ERR_ARGUMENT, "a G-buffer with a part of %s needs all of it",
                            tl_plane_groups[i].name);
@@ -109,6 +114,7 @@ void tl_gbuffer_destroy(tl_gbuffer *gbuffer)
 {
     if (!gbuffer)
         return;
+    tl_material_names_clear(&gbuffer->materials);
     free(gbuffer->planes);
     free(gbuffer);
 }

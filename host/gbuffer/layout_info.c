@@ -30,14 +30,15 @@ const tl_format_row *tl_format_describe(enum tl_format format)
     TARGET(RGBA32F, first, 3, "albedo"),                                            \
         TARGET(RGBA32F, (first) + 3, 4, "specular, shininess of a Phong material"), \
         TARGET(RGBA32F, (first) + 7, 3, "metallic, roughness, occlusion"),          \
-        TARGET(RGBA32F, (first) + 10, 3, "emission")
+        TARGET(RGBA32F, (first) + 10, 3, "emission"),                               \
+        TARGET(RGBA32F, (first) + 13, 4, "index of the BRDF, tangent in world space")
 #define FLOAT_WITH_DEPTH(what)                                                   \
-    5,                                                                           \
+    6,                                                                           \
     {                                                                            \
         TARGET(RGBA32F, 0, 4, what ", normal in world space"), FLOAT_MATERIAL(4) \
     }
 #define FLOAT_BESIDE_DEPTH(what)                                                  \
-    6,                                                                            \
+    7,                                                                            \
     {                                                                             \
         TARGET(D32F, 0, 1, what), TARGET(RGBA32F, 1, 3, "normal in world space"), \
             FLOAT_MATERIAL(4)                                                     \
@@ -59,7 +60,8 @@ const tl_format_row *tl_format_describe(enum tl_format format)
 
 #define MERLIN_SURFACE                                         \
     TARGET(RGBA8, 0, 1, "diffuse, logarithm of the exponent"), \
-        TARGET(RGBA8, 1, 1, "normal in view space, index of the BRDF")
+        TARGET(RGBA8, 1, 1,                                    \
+               "normal in view space, index of the BRDF or specular as one number")
 
 #define ISPC_TARGETS(depth)                                               \
     4,                                                                    \
@@ -85,7 +87,7 @@ static const tl_layout_info infos[TL_LAYOUT_COUNT] = {
                                   FLOAT_WITH_DEPTH("depth, share of near to far")},
     [TL_LAYOUT_FLOAT_POSITION] = {TILELIGHT,
                                   "full float, positions in place of depth",
-                                  6,
+                                  7,
                                   {TARGET(RGBA32F, 0, 3, "position in view space"),
                                    TARGET(RGBA32F, 3, 3, "normal in world space"),
                                    FLOAT_MATERIAL(6)}},
@@ -128,7 +130,7 @@ static const tl_layout_info infos[TL_LAYOUT_COUNT] = {
                                 TUTORIAL(TARGET(
                                     RGBA8, 3, 1, "depth, 0 to 1, packed by the shader"))},
     [TL_LAYOUT_MERLIN] = {MERLIN,
-                          "two targets and the depth buffer, a BRDF's index for specular",
+                          "two targets and the depth buffer, and the index of a BRDF",
                           3,
                           {MERLIN_SURFACE, TARGET(D24, 2, 1, "depth, 0 to 1")}},
     [TL_LAYOUT_MERLIN_POSITION] = {MERLIN ", before the position buffer went",
@@ -151,7 +153,7 @@ static const tl_layout_info infos[TL_LAYOUT_COUNT] = {
     [TL_LAYOUT_COMPACT_16] =
         {TILELIGHT,
          "16 bytes, 20 with emission: octahedral normals, roots of colours",
-         5,
+         6,
          {TARGET(R32F, 0, 1, "depth in m"),
           TARGET(R32UI, 1, 1, "octahedron of the normal in world space"),
           TARGET(RGBA8, 2, 1, "roots of albedo, occlusion"),
@@ -159,11 +161,12 @@ static const tl_layout_info infos[TL_LAYOUT_COUNT] = {
                  3,
                  1,
                  "roughness, metallic; or roots of specular, logarithm of the exponent"),
-          TARGET(R32UI, 4, 1, "emission, RGB9E5")}},
+          TARGET(R32UI, 4, 1, "emission, RGB9E5"),
+          TARGET(R32UI, 5, 1, "octahedron of the tangent in world space, index of the BRDF")}},
     [TL_LAYOUT_COMPACT_12] =
         {TILELIGHT,
          "12 bytes, 16 with emission: the same in fewer bits",
-         4,
+         5,
          {TARGET(R32UI, 0, 1, "occlusion, depth in m in 24 bits"),
           TARGET(R32UI,
                  1,
@@ -171,7 +174,8 @@ static const tl_layout_info infos[TL_LAYOUT_COUNT] = {
                  "octahedron of the normal in world space, roughness or logarithm of the "
                  "exponent"),
           TARGET(RGBA8, 2, 1, "roots of albedo, metallic or specular as one number"),
-          TARGET(R32UI, 3, 1, "emission, RGB9E5")}},
+          TARGET(R32UI, 3, 1, "emission, RGB9E5"),
+          TARGET(R32UI, 4, 1, "octahedron of the tangent in world space, index of the BRDF")}},
 };
 
 const tl_layout_info *tl_layout_describe(enum tl_layout_name layout)

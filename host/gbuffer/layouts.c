@@ -43,6 +43,23 @@ uint32_t tl_layout_planes(enum tl_layout_name layout)
         planes |= TL_GROUP_OCCLUSION;
     if (l->emissive.code)
         planes |= TL_GROUP_EMISSIVE;
+    if (l->brdf.code)
+        planes |= TL_GROUP_BRDF;
+    if (l->tangent.code)
+        planes |= TL_GROUP_TANGENT;
+    return planes;
+}
+
+uint32_t tl_layout_planes_of(enum tl_layout_name layout, uint32_t wanted)
+{
+    const tl_layout *l = &tl_layouts[layout];
+    const tl_channel index = l->brdf.channels[0], color = l->specular.channels[0];
+    uint32_t planes = wanted & tl_layout_planes(layout);
+    if ((planes & TL_GROUP_BRDF) && l->specular.code && index.word == color.word &&
+        index.shift == color.shift)
+        planes &= ~TL_THREE(TL_SPECULAR_R);
+    if (!(planes & (TL_THREE(TL_SPECULAR_R) | TL_GROUP_BRDF)))
+        planes &= ~TL_HAS(TL_SHININESS);
     return planes;
 }
 
@@ -68,6 +85,14 @@ tl_status tl_layout_suits(const tl_camera *camera, enum tl_layout_name layout, t
         words[layout], (double)camera->near, (double)camera->far);
 }
 
+const char *tl_dropped_name(size_t group, uint32_t dropped)
+{
+    const uint32_t planes = tl_plane_groups[group].planes;
+    return planes == TL_GROUP_PHONG && !(dropped & TL_HAS(TL_SHININESS))
+               ? "specular"
+               : tl_plane_groups[group].name;
+}
+
 void tl_layout_tell_dropped(enum tl_layout_name layout,
                             const char *file,
                             uint32_t dropped,
@@ -78,7 +103,7 @@ void tl_layout_tell_dropped(enum tl_layout_name layout,
     for (size_t i = 0; i < TL_PLANE_GROUP_COUNT; i++)
         if (dropped & tl_plane_groups[i].planes)
             length += (size_t)snprintf(list + length, sizeof list - length, "%s%s",
-                                       length ? ", " : "", tl_plane_groups[i].name);
+                                       length ? ", " : "", tl_dropped_name(i, dropped));
     if (length > 0)
         tl_notice(notices, "%s: dropped, for want of a place in layout %s: %s", file,
                   words[layout], list);

@@ -88,6 +88,7 @@ tl_status tl_gbuffer_pack(const tl_gbuffer *from,
         (from->present & TL_GROUP_METAL_ROUGH) && !(can_hold & TL_GROUP_METAL_ROUGH);
     const uint32_t offered =
         to_phong ? (from->present & ~materials) | TL_GROUP_PHONG : from->present;
+    const uint32_t stored = tl_layout_planes_of(layout, offered);
     tl_status status = TL_OK;
     tl_gbuffer *made = NULL;
     tl_frame frame = {.tile_size = 0};
@@ -100,8 +101,9 @@ tl_status tl_gbuffer_pack(const tl_gbuffer *from,
                     "layout %s holds metallic and roughness, this G-buffer has specular and "
                     "shininess, which they cannot say",
                     tl_layout_word(layout)));
-    TRY(tl_gbuffer_create_packed(&from->camera, layout, offered & can_hold, &made, err));
+    TRY(tl_gbuffer_create_packed(&from->camera, layout, stored, &made, err));
     made->samples = from->samples;
+    TRY(tl_material_names_copy(&from->materials, &made->materials, err));
     for (int p = 0; p < TL_PLANE_COUNT; p++)
         j.planes[p] = tl_gbuffer_plane(from, (enum tl_plane)p);
     j.to = made;
@@ -112,7 +114,7 @@ tl_status tl_gbuffer_pack(const tl_gbuffer *from,
     tl_parallel(made->camera.height, 4, pack_rows, &j);
     TRY(tl_gbuffer_repair(made, tl_layout_word(layout), false, &repairs, err));
     if (report) {
-        report->dropped = offered & ~can_hold;
+        report->dropped = offered & ~stored;
         report->lost = repairs.depth;
         for (int p = 0; p < TL_PLANE_COUNT; p++)
             report->cut[p] = atomic_load(&j.cut[p]);

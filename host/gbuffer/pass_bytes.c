@@ -20,10 +20,10 @@ tl_pass_words tl_pass_words_of(enum tl_layout_name layout, uint32_t present, boo
     tl_pass_words words = {.positions = words_of(&l->depth)};
     words.surfaces = words.positions | words_of(&l->normal);
     words.colors = words_of(&l->albedo);
-    if (present & TL_GROUP_PHONG && specular) {
+    if (present & TL_HAS(TL_SHININESS) && specular)
         words.surfaces |= words_of(&l->shininess);
+    if (present & TL_THREE(TL_SPECULAR_R) && specular)
         words.colors |= words_of(&l->specular);
-    }
     if (present & TL_GROUP_METAL_ROUGH) {
         words.colors |= words_of(&l->metallic);
         if (specular)
@@ -33,6 +33,10 @@ tl_pass_words tl_pass_words_of(enum tl_layout_name layout, uint32_t present, boo
         words.colors |= words_of(&l->occlusion);
     if (present & TL_GROUP_EMISSIVE)
         words.colors |= words_of(&l->emissive);
+    if (present & TL_GROUP_BRDF)
+        words.surfaces |= words_of(&l->brdf);
+    if (present & TL_GROUP_TANGENT)
+        words.surfaces |= words_of(&l->tangent);
     return words;
 }
 

@@ -20,6 +20,7 @@ static const char *const attributes[TL_PLANE_COUNT] = {
     [TL_DEPTH] = "depth",         [TL_NORMAL_X] = "normal",     [TL_ALBEDO_R] = "albedo",
     [TL_SPECULAR_R] = "specular", [TL_SHININESS] = "shininess", [TL_METALLIC] = "metallic",
     [TL_ROUGHNESS] = "roughness", [TL_OCCLUSION] = "ao",        [TL_EMISSIVE_R] = "emissive",
+    [TL_BRDF] = "brdf",           [TL_TANGENT_X] = "tangent",
 };
 
 typedef struct scan {
@@ -85,9 +86,9 @@ static unsigned long long repair_values(
     for (int p = TL_ALBEDO_R; p < TL_PLANE_COUNT; p++) {
         if (!s->planes[p])
             continue;
-        const float v = s->planes[p][at], most = tl_largest_value(p);
-        if (!(v >= 0.0f && v <= most)) {
-            s->planes[p][at] = v > most && isfinite(v) ? most : 0.0f;
+        const float v = s->planes[p][at], repaired_value = tl_repaired_value(p, v);
+        if (!(v == repaired_value)) {
+            s->planes[p][at] = repaired_value;
             tl_faults_note(s->faults, row, column, p);
             repaired = 1;
         }
@@ -152,14 +153,15 @@ static tl_status refuse(const tl_gbuffer *gbuffer,
         is_packed ? attributes[plane] : planes[plane].channel);
 }
 
-/* A colour is neutral whole or not at all. */
+/* A colour is neutral whole or not at all, and so is a tangent. */
 static uint32_t neutral_planes(uint32_t present, uint32_t telling)
 {
-    static const uint32_t colors[] = {TL_THREE(TL_SPECULAR_R), TL_GROUP_EMISSIVE};
+    static const uint32_t threes[] = {TL_THREE(TL_SPECULAR_R), TL_GROUP_EMISSIVE,
+                                      TL_GROUP_TANGENT};
     uint32_t neutral = present & TL_MAY_BE_NEUTRAL & ~telling;
-    for (int i = 0; i < 2; i++)
-        if ((neutral & colors[i]) != colors[i])
-            neutral &= ~colors[i];
+    for (size_t i = 0; i < sizeof threes / sizeof threes[0]; i++)
+        if ((neutral & threes[i]) != threes[i])
+            neutral &= ~threes[i];
     return neutral;
 }
 

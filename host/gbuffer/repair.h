@@ -5,6 +5,7 @@
 
 #include "tilelight/gbuffer.h"
 
+#include <math.h>
 #include <stdatomic.h>
 
 /* A depth or a coordinate beyond it would overflow d2; nothing there can be told from the sky. */
@@ -14,11 +15,28 @@
 #define TL_SHORTEST_NORMAL 1e-18f
 #define TL_LONGEST_NORMAL 1e18f
 
-/* The largest value that a plane behind the normal may have. Above it a value becomes it; what is not
- * finite or negative becomes 0. */
+/* The largest value that a plane behind the normal may have. */
 static inline float tl_largest_value(int plane)
 {
-    return plane == TL_SHININESS ? 10000.0f : plane >= TL_EMISSIVE_R ? 1e30f : 1.0f;
+    return plane == TL_SHININESS    ? 10000.0f
+           : plane >= TL_TANGENT_X  ? TL_LONGEST_NORMAL
+           : plane == TL_BRDF       ? 255.0f
+           : plane >= TL_EMISSIVE_R ? 1e30f
+                                    : 1.0f;
+}
+
+/* What a value of a plane behind the normal becomes: above the largest that one, but an index is another
+ * material's; what is not finite 0, and negative too where it is no component of a vector. */
+static inline float tl_repaired_value(int plane, float value)
+{
+    const float most = tl_largest_value(plane);
+    if (plane == TL_BRDF)
+        return value >= 0.0f && value <= most && value == floorf(value) ? value : 0.0f;
+    if (plane >= TL_TANGENT_X)
+        return value >= -most && value <= most ? value : 0.0f;
+    return value >= 0.0f && value <= most    ? value
+           : value > most && isfinite(value) ? most
+                                             : 0.0f;
 }
 
 /* What all threads found together. */
@@ -30,8 +48,9 @@ typedef struct tl_faults {
 
 /* Planes whose absence means something, so that they may be neutral. An exponent is of no matter where
  * the colour of its lobe is neutral, and says nothing alone. */
-#define TL_MAY_BE_NEUTRAL \
-    (TL_THREE(TL_SPECULAR_R) | TL_GROUP_METAL_ROUGH | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE)
+#define TL_MAY_BE_NEUTRAL                                                                      \
+    (TL_THREE(TL_SPECULAR_R) | TL_GROUP_METAL_ROUGH | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE | \
+     TL_GROUP_BRDF | TL_GROUP_TANGENT)
 
 /* What some rows have: added to the others at their end. */
 typedef struct tl_fault_counts {

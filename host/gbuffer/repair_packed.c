@@ -23,6 +23,8 @@ static const struct {
     {offsetof(tl_layout, roughness), TL_ROUGHNESS},
     {offsetof(tl_layout, occlusion), TL_OCCLUSION},
     {offsetof(tl_layout, emissive), TL_EMISSIVE_R},
+    {offsetof(tl_layout, brdf), TL_BRDF},
+    {offsetof(tl_layout, tangent), TL_TANGENT_X},
 };
 enum { MOST_VALUES = 3 * sizeof values / sizeof values[0] };
 
@@ -82,12 +84,16 @@ static uint32_t largest_field(tl_channel c)
     return (uint32_t)((1ull << c.bits) - 1u);
 }
 
-/* What bits of the channel read as the value that absence means, in float and in double: 0 does in every
- * number and code; of a 1 it is a matter of rounding. Returns whether there are any. */
-static int neutral_field(tl_channel c, enum tl_plane plane, uint32_t *field)
+/* What bits of channel k read as the value that absence means, in float and in double: 0 does in every
+ * number and code but an octahedron's, whose first number says so; of a 1 it is a matter of rounding.
+ * Returns whether there are any. */
+static int neutral_field(const tl_attribute *a, int k, enum tl_plane plane, uint32_t *field)
 {
+    const tl_channel c = a->channels[k];
     const uint32_t most = largest_field(c);
-    *field = 0;
+    *field = plane == TL_TANGENT_X && a->code == TL_NORMAL_OCTAHEDRON && k == 0
+                 ? none_bits(c.bits)
+                 : 0;
     if (plane != TL_OCCLUSION)
         return 1;
     *field = c.number == TL_NUMBER_FLOAT ? 0x3f800000u : most;
@@ -109,7 +115,7 @@ static void list_fields(job *j)
             uint32_t neutral;
             if (!a->code || c.bits == 0)
                 continue;
-            if (neutral_field(c, values[i].first, &neutral))
+            if (neutral_field(a, k, values[i].first, &neutral))
                 j->fields[j->field_count++] = (telling_field){
                     c.word, largest_field(c) << c.shift, neutral << c.shift, plane};
             else
@@ -207,11 +213,13 @@ static __attribute__((noinline)) int repair_values(const job *j,
     p.words = *words;
     for (int i = 0; i < j->value_count; i++) {
         const tl_channel c = j->values[i].channel;
-        const real v = channel_value(c, &p.words), most = tl_largest_value(j->values[i].plane);
-        if (is_number(c, v) && v >= 0.0 && v <= most)
+        const real v = channel_value(c, &p.words);
+        const real wanted =
+            is_number(c, v) ? tl_repaired_value(j->values[i].plane, (float)v) : 0.0;
+        if (v == wanted)
             continue;
         clear_channel(&p.words, c);
-        put(&p, c, 0u, is_number(c, v) && v > most ? most : 0.0);
+        put(&p, c, 0u, wanted);
         tl_faults_note(j->faults, row, column, j->values[i].plane);
         repaired = 1;
     }

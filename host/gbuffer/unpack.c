@@ -1,6 +1,7 @@
 #include "packing.h"
 
 #include "parallel.h"
+#include "try.h"
 
 /* The rotation's rows are orthonormal, so its inverse is its transpose. */
 static vec3 world_direction(const tl_frame *frame, vec3 view)
@@ -38,6 +39,8 @@ static void put_pixel(float *const to[TL_PLANE_COUNT], size_t at, pixel p)
     put(to, TL_METALLIC, at, p.metallic);
     put(to, TL_ROUGHNESS, at, p.roughness);
     put(to, TL_OCCLUSION, at, p.occlusion);
+    put(to, TL_BRDF, at, p.brdf);
+    put_three(to, TL_TANGENT_X, at, p.tangent);
 }
 
 tl_unpacking tl_unpacking_of(const tl_gbuffer *from)
@@ -90,11 +93,14 @@ static void unpack_rows(void *context, size_t begin, size_t end)
 tl_status tl_gbuffer_unpack(const tl_gbuffer *from, tl_gbuffer **out, tl_error *err)
 {
     job j = {.unpacking = tl_unpacking_of(from)};
-    const tl_status status = tl_gbuffer_create(&from->camera, from->present, &j.to, err);
-    if (status != TL_OK)
-        return status;
+    tl_status status = TL_OK;
+    TRY(tl_gbuffer_create(&from->camera, from->present, &j.to, err));
     j.to->samples = from->samples;
+    TRY(tl_material_names_copy(&from->materials, &j.to->materials, err));
     tl_parallel(j.to->camera.height, 4, unpack_rows, &j);
     *out = j.to;
-    return TL_OK;
+    j.to = NULL;
+done:
+    tl_gbuffer_destroy(j.to);
+    return status;
 }

@@ -7,12 +7,16 @@
 #include <stdio.h>
 
 /* Planes are there where something that is drawn has need of them. */
-static uint32_t planes_of(const tl_model *model)
+static uint32_t planes_of(const tl_model *model, bool materials)
 {
     uint32_t present = TL_GROUP_BASE | TL_GROUP_METAL_ROUGH;
+    if (materials)
+        present |= TL_GROUP_BRDF;
     for (size_t i = 0; i < model->draw_count; i++) {
-        const tl_material *const material =
-            &model->materials[model->parts[model->draws[i].part].material];
+        const tl_part *const part = &model->parts[model->draws[i].part];
+        const tl_material *const material = &model->materials[part->material];
+        if (materials && model->vertices[part->vertices].attributes[TL_GLTF_TANGENT])
+            present |= TL_GROUP_TANGENT;
         if (material->slots[TL_GLTF_OCCLUSION].texture != -1)
             present |= TL_GROUP_OCCLUSION;
         if (material->emits)
@@ -61,15 +65,36 @@ static tl_status check_options(const tl_capture_options *options, tl_error *err)
 /* What of the scene the layout has a place for; metal-rough becomes Phong where it has none for
  * that. */
 static uint32_t stored_planes(const tl_model *model,
-                              enum tl_layout_name layout,
+                              const tl_capture_options *options,
                               const tl_notices *notices)
 {
-    const uint32_t can_hold = tl_layout_planes(layout);
-    uint32_t found = planes_of(model);
-    if (!(can_hold & TL_GROUP_METAL_ROUGH))
+    const enum tl_layout_name layout = options->layout;
+    uint32_t found = planes_of(model, options->materials);
+    if (!(tl_layout_planes(layout) & TL_GROUP_METAL_ROUGH))
         found = (found & ~TL_GROUP_METAL_ROUGH) | TL_GROUP_PHONG;
-    tl_layout_tell_dropped(layout, model->gltf->path, found & ~can_hold, notices);
-    return found & can_hold;
+    const uint32_t stored = tl_layout_planes_of(layout, found);
+    tl_layout_tell_dropped(layout, model->gltf->path, found & ~stored, notices);
+    return stored;
+}
+
+/* Of an index's 8 bits 0 is none. */
+static tl_status check_materials(const tl_model *model, tl_error *err)
+{
+    if (model->gltf->material_count <= TL_MAX_MATERIALS)
+        return TL_OK;
+    return tl_fail(err, TL_ERR_UNSUPPORTED,
+                   "%s: has %zu materials; a plane of their indices can tell %d apart: capture "
+                   "without materials",
+                   model->gltf->path, model->gltf->material_count, TL_MAX_MATERIALS);
+}
+
+static tl_status name_materials(const tl_model *model, tl_material_names *out, tl_error *err)
+{
+    tl_status status = TL_OK;
+    for (size_t i = 0; i < model->gltf->material_count; i++)
+        TRY(tl_material_names_add(out, model->gltf->materials[i].name, err));
+done:
+    return status;
 }
 
 static tl_status render(const tl_model *model,
@@ -88,8 +113,12 @@ static tl_status render(const tl_model *model,
     tl_scene_objects objects = {0};
     tl_gbuffer *gbuffer = NULL;
 
-    TRY(tl_gbuffer_create_packed(camera, layout, stored_planes(model, layout, notices),
+    if (options->materials)
+        TRY(check_materials(model, err));
+    TRY(tl_gbuffer_create_packed(camera, layout, stored_planes(model, options, notices),
                                  &gbuffer, err));
+    if (gbuffer->present & TL_GROUP_BRDF)
+        TRY(name_materials(model, &gbuffer->materials, err));
     gbuffer->samples = side_of(options) * side_of(options);
     TRY(tl_gl_open(&gl, err));
     TRY(tl_upload(gl, model, &objects, timings, err));

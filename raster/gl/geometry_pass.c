@@ -190,6 +190,12 @@ static void set_geometry(const pass *p, const placed_draw *draw)
     gl->Uniform1f(UNIFORM_BITANGENT_SIGN, draw->mirrored ? -1.0f : 1.0f);
 }
 
+/* That of the file's material, from 1; 0 of the default one. */
+static float brdf_index(const tl_model *model, const tl_part *part)
+{
+    return part->material < model->gltf->material_count ? (float)(part->material + 1) : 0.0f;
+}
+
 static void set_surface(const pass *p, const placed_draw *draw)
 {
     const tl_material *const material = draw->material;
@@ -200,6 +206,7 @@ static void set_surface(const pass *p, const placed_draw *draw)
     p->gl->Uniform3fv(UNIFORM_DEPTH_RANGE, 1, p->depth_range);
     p->gl->Uniform3fv(UNIFORM_EMISSIVE, 1, material->emissive);
     p->gl->Uniform4fv(UNIFORM_FACTORS, 1, factors);
+    p->gl->Uniform1f(UNIFORM_BRDF, brdf_index(p->model, draw->part));
 }
 
 /* --- drawing ----------------------------------------------------------------------------------- */

@@ -49,8 +49,9 @@ static const struct {
     {"depth", "s", offsetof(tl_layout, depth), TL_HAS(TL_DEPTH), depth_functions},
     {"normal", "n", offsetof(tl_layout, normal), TL_THREE(TL_NORMAL_X), normal_functions},
     {"albedo", "s.albedo", offsetof(tl_layout, albedo), TL_THREE(TL_ALBEDO_R), color_functions},
-    {"specular", "s.specular", offsetof(tl_layout, specular), TL_GROUP_PHONG, color_functions},
-    {"shininess", "s.shininess", offsetof(tl_layout, shininess), TL_GROUP_PHONG,
+    {"specular", "s.specular", offsetof(tl_layout, specular), TL_THREE(TL_SPECULAR_R),
+     color_functions},
+    {"shininess", "s.shininess", offsetof(tl_layout, shininess), TL_HAS(TL_SHININESS),
      value_functions},
     {"metallic", "s.metallic", offsetof(tl_layout, metallic), TL_GROUP_METAL_ROUGH,
      value_functions},
@@ -60,6 +61,8 @@ static const struct {
      value_functions},
     {"emissive", "s.emissive", offsetof(tl_layout, emissive), TL_GROUP_EMISSIVE,
      color_functions},
+    {"brdf", "s.brdf", offsetof(tl_layout, brdf), TL_GROUP_BRDF, value_functions},
+    {"tangent", "s.tangent", offsetof(tl_layout, tangent), TL_GROUP_TANGENT, normal_functions},
 };
 enum { ATTRIBUTE_COUNT = sizeof attributes / sizeof attributes[0] };
 
@@ -105,14 +108,19 @@ static void say_normal(stage *to)
         say(to, "    n = raised_normal(n);\n");
 }
 
-/* Each attribute as three numbers, of which channels take as many as they are. */
+/* Each attribute as three numbers, of which channels take as many as they are. An octahedron has steps, from
+ * 0 to 1. */
 static void say_attributes(stage *to)
 {
     for (int i = 0; i < ATTRIBUTE_COUNT; i++) {
         const tl_attribute *a = stored_attribute(to, i);
-        if (a)
-            say(to, "    vec3 %s = %s(%s);\n", attributes[i].name,
-                attributes[i].functions[a->code], attributes[i].argument);
+        if (!a)
+            continue;
+        say(to, "    vec3 %s = %s(%s", attributes[i].name, attributes[i].functions[a->code],
+            attributes[i].argument);
+        if (attributes[i].functions == normal_functions && a->code == TL_NORMAL_OCTAHEDRON)
+            say(to, ", %u.0", (1u << (a->channels[0].bits - 1u)) - 1u);
+        say(to, ");\n");
     }
 }
 
@@ -136,6 +144,8 @@ static void say_packed_word(stage *to, const tl_target *target, uint32_t number)
             const char *const name = attributes[i].name;
             if (c.bits == 32)
                 say(to, " | shared_of(%s)", name);
+            else if (c.number == TL_NUMBER_WHOLE)
+                say(to, " | uint(%s.%c) << %uu", name, "xyz"[k], c.shift);
             else if (c.number == TL_NUMBER_FLOAT24)
                 say(to, " | float24_field(%s.x) << %uu", name, c.shift);
             else
@@ -147,7 +157,8 @@ static void say_packed_word(stage *to, const tl_target *target, uint32_t number)
     say(to, ";\n");
 }
 
-/* The number at a place, which OpenGL converts; 0 where there is none. */
+/* The number at a place, which OpenGL converts; 0 where there is none. Of a whole number its share of the
+ * largest, which OpenGL rounds back to it. */
 static void say_number(stage *to, place at)
 {
     for (int i = 0; i < ATTRIBUTE_COUNT; i++) {
@@ -158,6 +169,8 @@ static void say_number(stage *to, place at)
                 continue;
             say(to, "%s(%s.%c)", c.number == TL_NUMBER_HALF ? "rounded_half" : "float",
                 attributes[i].name, "xyz"[k]);
+            if (c.number == TL_NUMBER_WHOLE)
+                say(to, " / %u.0", (1u << c.bits) - 1u);
             return;
         }
     }
@@ -212,8 +225,6 @@ void tl_output_stage(enum tl_layout_name layout, uint32_t present, char *text)
     const tl_layout_info *info = tl_layout_describe(layout);
     stage to = {.layout = &tl_layouts[layout], .present = present, .text = text};
     text[0] = '\0';
-    say(&to, "#define OCTAHEDRON_STEPS %u.0\n",
-        (1u << (to.layout->normal.channels[0].bits - 1u)) - 1u);
     for (uint32_t i = 0; i < info->target_count; i++)
         if (tl_target_is_color(layout, present, i))
             say(&to, "layout(location = %u) out %s target_%u;\n", i,

@@ -41,3 +41,4 @@
 #define UNIFORM_DEPTH_RANGE (UNIFORM_EYE + 1)         /* near, far in m; 1: parallel rays */
 #define UNIFORM_ANISOTROPY \
     (UNIFORM_DEPTH_RANGE + 1) /* [SLOT_COUNT]; 1: as the sampler alone has it */
+#define UNIFORM_BRDF (UNIFORM_ANISOTROPY + SLOT_COUNT) /* index of the BRDF, 0: none */

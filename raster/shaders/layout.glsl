@@ -60,9 +60,11 @@ vec3 view_space(vec3 n)
     return n * world_from_view; // the transpose is the inverse
 }
 
-// OCTAHEDRON_STEPS: from 0 to 1.
-#define octahedron_channels(n) \
-    (dot(n, n) > 0.0 ? vec3(nearest_octahedron(n, OCTAHEDRON_STEPS), 0.0) : vec3(NO_NUMBER))
+// steps: from 0 to 1.
+vec3 octahedron_channels(vec3 n, float steps)
+{
+    return dot(n, n) > 0.0 ? vec3(nearest_octahedron(n, steps), 0.0) : vec3(NO_NUMBER);
+}
 
 vec3 spheremap_channels(vec3 n)
 {

@@ -6,6 +6,7 @@ in vec4 world_tangent;
 layout(location = UNIFORM_WORLD_FROM_VIEW) uniform mat3 world_from_view;
 layout(location = UNIFORM_EMISSIVE) uniform vec3 emissive_factor;
 layout(location = UNIFORM_FACTORS) uniform vec4 factors;
+layout(location = UNIFORM_BRDF) uniform float brdf_index;
 
 #ifdef HAS_METALLIC_ROUGHNESS
 layout(binding = SLOT_METALLIC_ROUGHNESS) uniform sampler2D metallic_roughness_texture;
@@ -26,6 +27,8 @@ struct surface {
     vec3 normal;   // world space; not a number where the file gives none to be had
     vec3 albedo, specular, emissive;
     float shininess, metallic, roughness, occlusion;
+    float brdf;   // index of the BRDF, 0: none
+    vec3 tangent; // world space; unit, or 0 where there is none
 };
 
 // The interpolated normal; where the file has none to interpolate, that of the triangle.
@@ -38,6 +41,12 @@ vec3 surface_normal()
         n = gl_FrontFacing ? n : -n;
     }
     return normalize(n);
+}
+
+vec3 surface_tangent()
+{
+    float length2 = dot(world_tangent.xyz, world_tangent.xyz);
+    return length2 > 0.0 ? world_tangent.xyz * inversesqrt(length2) : vec3(0.0);
 }
 
 #ifdef HAS_NORMAL_MAP
@@ -73,7 +82,7 @@ surface visible_surface()
     // exactly nothing (kernels/material.h): no diffuse light, for it is a metal, and no
     // highlight, for a metal's has its colour.
     return surface(view_position, shading_normal(), vec3(0.0), vec3(0.0),
-                   clamp(base.rgb, 0.0, 1.0), 0.0, 1.0, 1.0, 1.0);
+                   clamp(base.rgb, 0.0, 1.0), 0.0, 1.0, 1.0, 1.0, 0.0, vec3(0.0));
 #endif
 #ifdef HAS_METALLIC_ROUGHNESS
     vec4 rough = look_up(metallic_roughness_texture, SLOT_METALLIC_ROUGHNESS);
@@ -91,5 +100,5 @@ surface visible_surface()
     // every projection: 1 / gl_FragCoord.w is the same number but for orthographic cameras, and
     // undoing the reversed depth adds the roundings of near, far and the quotient.
     return surface(view_position, shading_normal(), clamp(base.rgb, 0.0, 1.0), vec3(0.0), emitted, 0.0,
-                   metallic, roughness, occlusion);
+                   metallic, roughness, occlusion, brdf_index, surface_tangent());
 }

@@ -74,16 +74,23 @@ static bool is_third_of_vector(const tl_source *source, uint32_t channel)
            find_sibling(source, channel, 'X') < source->channel_count;
 }
 
-/* The first channel of this name, none of a vector where it must be `alone`; else channel_count. */
+/* Whether the channel can be read as this plane: of whole numbers, indices alone. */
+static bool suits(const tl_source_channel *c, tl_import_plane plane)
+{
+    return c->is_number || (c->is_whole && plane == TL_IMPORT_BRDF);
+}
+
+/* The first channel of this name, none of a vector where it is for one number; else channel_count. */
 static uint32_t find_called(const tl_source *source,
                             const char *wanted,
                             bool may_have_layers,
-                            bool alone)
+                            tl_import_plane plane)
 {
+    const bool alone = tl_import_kinds[plane].numbers == 1;
     char buffer[LONGEST_NAME];
     for (uint32_t i = 0; i < source->channel_count; i++) {
         const tl_source_channel *c = &source->channels[i];
-        if (!c->is_number || strncasecmp(source->parts[c->part].name, "crypto", 6) == 0 ||
+        if (!suits(c, plane) || strncasecmp(source->parts[c->part].name, "crypto", 6) == 0 ||
             (alone && is_third_of_vector(source, i)))
             continue;
         if (is_called(c->name, wanted, may_have_layers) ||
@@ -93,12 +100,16 @@ static uint32_t find_called(const tl_source *source,
     return source->channel_count;
 }
 
-static bool find_vector(const tl_source *source, const char *name, bool layers, uint32_t out[3])
+static bool find_vector(const tl_source *source,
+                        tl_import_plane plane,
+                        const char *name,
+                        bool layers,
+                        uint32_t out[3])
 {
     char wanted[LONGEST_NAME];
     for (size_t set = 0; set < 2; set++) {
         snprintf(wanted, sizeof wanted, "%s.%s", name, vectors[set][0]);
-        out[0] = find_called(source, wanted, layers, false);
+        out[0] = find_called(source, wanted, layers, plane);
         if (out[0] == source->channel_count)
             continue;
         out[1] = find_sibling(source, out[0], vectors[set][1][0]);
@@ -123,7 +134,7 @@ static bool find_number(const tl_source *source,
     for (size_t i = 0; i < count; i++) {
         snprintf(wanted, sizeof wanted, "%s%s%s", name, components[i][0] ? "." : "",
                  components[i]);
-        *out = find_called(source, wanted, layers, true);
+        *out = find_called(source, wanted, layers, plane);
         if (*out < source->channel_count)
             return true;
     }
@@ -151,7 +162,7 @@ bool tl_alias_find(const tl_source *source, tl_import_plane plane, tl_binding *o
                 continue;
             const bool found =
                 tl_import_kinds[plane].numbers == 3
-                    ? find_vector(source, alias->name, with_layers != 0, out->channels)
+                    ? find_vector(source, plane, alias->name, with_layers != 0, out->channels)
                     : find_number(source, plane, alias->name, with_layers != 0, out->channels);
             if (found) {
                 out->is_bound = true;
@@ -290,7 +301,13 @@ tl_status tl_map_find(const tl_source *source,
         if (refusal[0])
             return tl_fail(err, TL_ERR_UNSUPPORTED, "--map %s: %s",
                            tl_import_kinds[map->plane].word, refusal);
-        if (!c->is_number)
+        if (map->plane == TL_IMPORT_BRDF && source->format == &tl_source_png)
+            return tl_fail(
+                err, TL_ERR_UNSUPPORTED,
+                "%s: --map brdf: the numbers of a PNG are shares of 1, and no indices; "
+                "write them as OpenEXR or PFM",
+                source->path);
+        if (!suits(c, map->plane))
             return tl_fail(err, TL_ERR_FORMAT,
                            "%s: --map %s: channel \"%s\" holds whole numbers; it must be half "
                            "or float",

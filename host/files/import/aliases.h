@@ -44,6 +44,8 @@
     X(TL_IMPORT_EMISSIVE, "emission", "Arnold", TL_SPACE_AUTO, NULL)                   \
     X(TL_IMPORT_EMISSIVE, "VRaySelfIllumination", "V-Ray", TL_SPACE_AUTO, NULL)        \
     X(TL_IMPORT_EMISSIVE, "emissive", "tilelight", TL_SPACE_AUTO, NULL)                \
+    X(TL_IMPORT_BRDF, "brdf", "tilelight", TL_SPACE_AUTO, NULL)                        \
+    X(TL_IMPORT_TANGENT, "T", "tilelight", TL_SPACE_WORLD, "tilelight:")               \
     X(TL_IMPORT_ALPHA, "A", "all", TL_SPACE_AUTO, NULL)                                \
     X(TL_IMPORT_ALPHA, "Combined", "Blender", TL_SPACE_AUTO, NULL)
 

@@ -137,6 +137,10 @@ static uint32_t find_present(const tl_import_plan *plan, const tl_notices *notic
         present |= TL_GROUP_OCCLUSION;
     if (is_bound(plan, TL_IMPORT_EMISSIVE))
         present |= TL_GROUP_EMISSIVE;
+    if (is_bound(plan, TL_IMPORT_BRDF))
+        present |= TL_GROUP_BRDF;
+    if (is_bound(plan, TL_IMPORT_TANGENT))
+        present |= TL_GROUP_TANGENT;
     return present;
 }
 

@@ -23,6 +23,7 @@ typedef struct tl_source_channel {
     const char *name;
     const char *type; /* "half", "float", "uint", "8 or 16 bits" */
     bool is_number;   /* can be read: no whole numbers without a scale */
+    bool is_whole;    /* such whole numbers: can be read as indices */
 } tl_source_channel;
 
 /* TL_MAX_READ: all numbers of all kinds of planes. */

@@ -47,11 +47,12 @@ static tl_status add_part(tl_source *source, int index, tl_error *err)
     TRY(tl_source_add_part(source, &part, err));
     for (int i = 0; part.exr.channels && i < part.exr.channels->num_channels; i++) {
         const exr_attr_chlist_entry_t *entry = &part.exr.channels->entries[i];
-        const tl_source_channel channel = {.part = at,
-                                           .name = entry->name.str,
-                                           .type = tl_exr_type_words[entry->pixel_type],
-                                           .is_number = !part.refusal[0] &&
-                                                        entry->pixel_type != EXR_PIXEL_UINT};
+        const tl_source_channel channel = {
+            .part = at,
+            .name = entry->name.str,
+            .type = tl_exr_type_words[entry->pixel_type],
+            .is_number = !part.refusal[0] && entry->pixel_type != EXR_PIXEL_UINT,
+            .is_whole = !part.refusal[0] && entry->pixel_type == EXR_PIXEL_UINT};
         TRY(tl_source_add_channel(source, &channel, err));
     }
 done:

@@ -27,6 +27,9 @@ double tl_normal_bound(const tl_camera *camera,
                        enum tl_layout_name layout,
                        const double normal[3]);
 
+/* rad; of a tangent of any length but 0, which the layout holds. */
+double tl_tangent_bound(enum tl_layout_name layout, const double tangent[3]);
+
 /* Of any other plane that the layout holds, in its own unit. values: of a colour all three channels,
  * whichever of its planes is asked for; of others values[0] alone is read. */
 double tl_value_bound(enum tl_layout_name layout, enum tl_plane plane, const double values[3]);

@@ -28,6 +28,26 @@ enum { TL_MAX_SAMPLES = 64 };
  * TL_MAX_SAMPLES. */
 uint32_t tl_samples_side(uint32_t samples);
 
+/* Materials of the scene that a G-buffer is of: name i is that of index i + 1 of its plane brdf. Owned;
+ * all zero is none. */
+typedef struct tl_material_names {
+    uint32_t count;
+    char **of; /* [count], NUL-terminated; "" where the scene gives none */
+} tl_material_names;
+
+enum { TL_MAX_MATERIALS = 255 }; /* indices, of 8 bits, beside 0 */
+
+/* Appends a copy. Fails with TL_ERR_MEMORY. */
+tl_status tl_material_names_add(tl_material_names *names, const char *name, tl_error *err);
+
+/* *to is replaced on success and left alone on failure. Fails with TL_ERR_MEMORY. */
+tl_status tl_material_names_copy(const tl_material_names *from,
+                                 tl_material_names *to,
+                                 tl_error *err);
+
+/* Leaves none. */
+void tl_material_names_clear(tl_material_names *names);
+
 typedef struct tl_gbuffer {
     tl_camera camera;
     /* Of each pixel of the picture that it is lit to (tl_image_resolve): every sample is a
@@ -50,18 +70,20 @@ typedef struct tl_gbuffer {
      * whole. 0 until tl_gbuffer_repair has found them; lighting does not read them. Whoever
      * writes planes afterwards makes it 0 again, or repairs anew. */
     uint32_t neutral;
+    tl_material_names materials; /* none where nobody named them */
     unsigned char
         *planes; /* [tl_gbuffer_pixel_size][rows * pitch] bytes, plane after plane, aligned
                             * to 4096; padding is sky */
 } tl_gbuffer;
 
-/* Planes that a frame has whole or not at all, and what they are called together. */
+/* Planes that a frame has whole or not at all, and what they are called together; shininess alone beside
+ * brdf is whole, too. */
 typedef struct tl_plane_group {
     const char *name;
     uint32_t planes; /* bits 1 << plane */
 } tl_plane_group;
 
-enum { TL_PLANE_GROUP_COUNT = 6 };
+enum { TL_PLANE_GROUP_COUNT = 8 };
 extern const tl_plane_group tl_plane_groups[TL_PLANE_GROUP_COUNT];
 
 /* In full float; every pixel is sky, and a sample of its own. The caller releases *out with

@@ -23,6 +23,8 @@ extern "C" {
     X(TL_IMPORT_ROUGHNESS, "roughness", 1, TL_ROUGHNESS, "as artists see it, 0 to 1")     \
     X(TL_IMPORT_OCCLUSION, "ao", 1, TL_OCCLUSION, "share of the ambient light")           \
     X(TL_IMPORT_EMISSIVE, "emissive", 3, TL_EMISSIVE_R, "radiance the surface sends out") \
+    X(TL_IMPORT_BRDF, "brdf", 1, TL_BRDF, "row of the lights file's materials")           \
+    X(TL_IMPORT_TANGENT, "tangent", 3, TL_TANGENT_X, "along the grain, in world space")   \
     X(TL_IMPORT_ALPHA, "alpha", 1, TL_PLANE_COUNT, "share of the pixel that is covered")
 
 typedef enum tl_import_plane {

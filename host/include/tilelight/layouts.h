@@ -18,6 +18,11 @@ tl_status tl_layout_find(const char *word, enum tl_layout_name *out, tl_error *e
 /* Planes (planes.h) that the layout can hold, bits 1 << plane. */
 uint32_t tl_layout_planes(enum tl_layout_name layout);
 
+/* Those of `wanted` that a frame in the layout has: where an index takes the bits of the specular colour
+ * (merlin), a frame with indices has no such colour, and keeps the exponent; which does not stand alone where
+ * there is neither. */
+uint32_t tl_layout_planes_of(enum tl_layout_name layout, uint32_t wanted);
+
 /* Formats of render targets, by OpenGL's names. X(name, word, bytes of a texel, channels)
  *
  * A layout's words are the memory of its targets, little-endian, channel after channel from the lowest
@@ -67,6 +72,9 @@ typedef struct tl_layout_info {
 
 /* Where the layout is from and what the geometry pass renders it to. Cannot fail. */
 const tl_layout_info *tl_layout_describe(enum tl_layout_name layout);
+
+/* What of a group of planes `dropped` holds is called. */
+const char *tl_dropped_name(size_t group, uint32_t dropped);
 
 /* Names in a notice the groups of planes that `dropped` holds, if any. file: what they were dropped of. */
 void tl_layout_tell_dropped(enum tl_layout_name layout,
