@@ -40,7 +40,7 @@ typedef struct tl_frame {
     /* Sections behind the lights and their cones: where each begins, in rows of 16 bytes from the start
      * of the buffer of lights. 0: the frame has none. */
     tl_u32 brdfs_at, shapes_at, sky_at;
-    tl_u32 reserved; /* 0 */
+    tl_u32 calls_at; /* what each light calls for: choices.h */
 } tl_frame;
 TL_STATIC_ASSERT(sizeof(tl_frame) == 176, frame_is_eleven_rows);
 

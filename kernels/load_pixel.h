@@ -3,6 +3,7 @@
 #define TL_LOAD_PIXEL_H
 
 #include "block.h"
+#include "choices.h"
 #include "unpack.h"
 
 /* The layout of the build: what is read from it is a constant. */
@@ -21,12 +22,14 @@ TL_INLINE word32 load_word(__global const uchar *from, uint bytes, uint pitch)
     return load_ints(from, pitch);
 }
 
-/* planes: the frame's word planes, of plane_size numbers each. at: the block's first pixel. */
-TL_INLINE tl_words load_words(const tl_layout *layout,
-                              __global const uchar *planes,
-                              size_t plane_size,
-                              size_t at,
-                              uint pitch)
+/* planes: the frame's word planes, of plane_size numbers each. at: the block's first pixel. wanted: which
+ * words, bits 1 << word; the others are 0. */
+TL_INLINE tl_words load_some_words(const tl_layout *layout,
+                                   uint wanted,
+                                   __global const uchar *planes,
+                                   size_t plane_size,
+                                   size_t at,
+                                   uint pitch)
 {
     tl_words words;
     size_t before = 0;
@@ -34,22 +37,43 @@ TL_INLINE tl_words load_words(const tl_layout *layout,
     for (uint i = 0; i < TL_MAX_WORDS; i++) {
         const uint bytes = word_bytes(layout, TL_PRESENT, i);
         words.of[i] = 0;
-        if (bytes != 0)
+        if (bytes != 0 && (wanted >> i & 1u))
             words.of[i] = load_word(planes + before * plane_size + at * bytes, bytes, pitch);
         before += bytes;
     }
     return words;
 }
 
-/* The words that shading reads, bits 1 << word. */
-TL_INLINE uint words_read(const tl_layout *layout)
+/* All words; what a build does not use of them is not loaded. */
+TL_INLINE tl_words load_words(const tl_layout *layout,
+                              __global const uchar *planes,
+                              size_t plane_size,
+                              size_t at,
+                              uint pitch)
+{
+    return load_some_words(layout, ~0u, planes, plane_size, at, pitch);
+}
+
+/* The words that hold some of these planes, bits 1 << word. */
+TL_INLINE uint words_of(const tl_layout *layout, uint planes)
 {
     uint words = 0;
 #pragma unroll
     for (uint i = 0; i < TL_MAX_WORDS; i++)
-        if (word_bytes(layout, TL_PRESENT & ~TL_IDLE, i) != 0)
+        if (word_bytes(layout, planes, i) != 0)
             words |= 1u << i;
     return words;
+}
+
+/* The words that shading reads. Where a tile has chosen to do without lobes, planes that only plain ones
+ * are for are left out. */
+TL_INLINE uint words_read(const tl_layout *layout, tl_needs needs)
+{
+    const uint planes = TL_PRESENT & ~TL_IDLE;
+    const uint without_lobes = planes & ~(TL_GROUP_PHONG | TL_HAS(TL_ROUGHNESS));
+    if ((needs.choices & TL_CHOICE_LOBES) && !needs.specular)
+        return words_of(layout, without_lobes);
+    return words_of(layout, planes);
 }
 
 /* The words that depth or a position is read from, bits 1 << word. */

@@ -24,7 +24,8 @@
  *   ambient        1: there is ambient light
  *   idle           planes of the frame that are not read, for they change nothing: needs.h
  *   models         the rows of models.h that surfaces of the scene use, bits 1 << row: `model`, and those
- *                  of its materials */
+ *                  of its materials
+ *   choices        effects that tiles choose for themselves, bits of choices.h */
 #define TL_KERNEL_OPTIONS(X)           \
     X(TL_WIDTH, width)                 \
     X(TL_BY_PIXEL, by_pixel)           \
@@ -40,14 +41,16 @@
     X(TL_ONE_COLOR, one_color)         \
     X(TL_AMBIENT, ambient)             \
     X(TL_IDLE, idle)                   \
-    X(TL_MODELS_USED, models)
+    X(TL_MODELS_USED, models)          \
+    X(TL_CHOICES, choices)
 
 #ifdef __OPENCL_C_VERSION__
 #    if !defined(TL_WIDTH) || !defined(TL_BY_PIXEL) || !defined(TL_REAL_DOUBLE) ||        \
         !defined(TL_PRECISE_POWER) || !defined(TL_ORTHOGRAPHIC) || !defined(TL_LAYOUT) || \
         !defined(TL_PRESENT) || !defined(TL_SPECULAR) || !defined(TL_FALLOFFS_USED) ||    \
         !defined(TL_MODEL) || !defined(TL_SPOTS) || !defined(TL_ONE_COLOR) ||             \
-        !defined(TL_AMBIENT) || !defined(TL_IDLE) || !defined(TL_MODELS_USED)
+        !defined(TL_AMBIENT) || !defined(TL_IDLE) || !defined(TL_MODELS_USED) ||          \
+        !defined(TL_CHOICES)
 #        error "build the kernels through tl_program_build(), which passes every option"
 #    endif
 #    if TL_BY_PIXEL && TL_WIDTH != 1

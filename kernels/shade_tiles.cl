@@ -24,6 +24,7 @@
  * Floor of a frame that lights nothing, 1920 x 1080 at 60 GB/s: the words of the layout read, 12 bytes
  * of radiance read, as a store to a line that is not there does, and written: full float 2.4 ms, 16
  * bytes 1.4 ms. Measured 3.7 ms and 2.1 ms: one and a half times. */
+#include "choices.h"
 #include "load_pixel.h"
 
 /* A row of blocks in the largest tile, 64 px. */
@@ -31,13 +32,14 @@
 
 /* Asks for what the next tile reads and writes there. */
 TL_INLINE void ask_for_next_tile(const tl_layout *layout,
+                                 uint words,
                                  __global const uchar *planes,
                                  __global const float *radiance,
                                  size_t first,
                                  const tl_frame *frame)
 {
     const size_t plane_size = (size_t)frame->rows * frame->pitch;
-    ask_for_next(layout, words_read(layout), planes, first, frame);
+    ask_for_next(layout, words, planes, first, frame);
     for (uint plane = 0; plane < 3; plane++)
         for (uint column = 0; column < frame->tile_size; column += BYTES_PER_LINE / 4)
             ASK_FOR_ROWS(radiance + plane * plane_size + first + frame->tile_size + column,
@@ -116,9 +118,84 @@ TL_INLINE received add_lights_one_by_one(received sum,
     return sum;
 }
 
+/* A tile's lights: list[start] to list[end - 1], behind those that reach everything. */
+typedef struct tile_lights {
+    __global const tl_view_light *lights; /* as shade_tiles has them */
+    __global const uint *list;
+    uint start, end;
+} tile_lights;
+
+TL_INLINE received
+lit_by(const tl_frame *frame, tl_needs needs, surface s, finish f, tile_lights by)
+{
+    received sum = nothing_received();
+    for (uint i = 0; i < frame->global_count; i++)
+        sum = add_global_light(sum, needs, s, f, by.lights[i],
+                               spot_of(needs, by.lights, frame->light_count, i));
+    if (!is_plain(needs))
+        return add_lights_one_by_one(sum, needs, s, f, by.lights, frame->light_count,
+                                     by.list + by.start, by.end - by.start);
+    for (uint i = by.start; i < by.end; i += LIGHTS_AT_ONCE)
+        sum = add_listed_lights(sum, needs, s, by.lights, frame->light_count, by.list + i,
+                                min(by.end - i, (uint)LIGHTS_AT_ONCE));
+    return sum;
+}
+
+/* needs: what the tile computes. Where they leave something out that the build has, that is a constant, and
+ * the function compiled once more (cones), or a branch that is the same for all of the tile (lobes). */
+TL_INLINE void shade_tile(const tl_frame *frame,
+                          tl_needs needs,
+                          uint tile,
+                          __global const uchar *planes,
+                          tile_lights by,
+                          __global float *radiance)
+{
+    const uint column0 = tile % frame->tiles_x * frame->tile_size;
+    const uint row0 = tile / frame->tiles_x * frame->tile_size;
+    const uint blocks = frame->tile_size / BLOCK_COLUMNS;
+    const size_t plane_size = (size_t)frame->rows * frame->pitch;
+    const tl_layout layout = layout_of_build();
+    const uint words_there = words_read(&layout, needs);
+    surface surfaces[MOST_BLOCKS_OF_ROW];
+
+    for (uint row = row0; row < row0 + frame->tile_size; row += BLOCK_ROWS) {
+        const size_t first = (size_t)(frame->buffer_row + row) * frame->pitch + column0;
+        ask_for_next_tile(&layout, words_there, planes, radiance, first, frame);
+        for (uint b = 0; b < blocks; b++) {
+            const uint column = column0 + b * BLOCK_COLUMNS;
+            const tl_words words = load_some_words(&layout, words_there, planes, plane_size,
+                                                   first + b * BLOCK_COLUMNS, frame->pitch);
+            surfaces[b] =
+                unpacked_surface(frame, needs, &layout, &words, (scalar)column + LANE_COLUMN,
+                                 (scalar)(frame->first_row + row) + LANE_ROW);
+        }
+        for (uint b = 0; b < blocks; b++) {
+            const size_t at = first + b * BLOCK_COLUMNS;
+            const surface s = surfaces[b];
+            received sum = nothing_received();
+            finish f;
+            if (!is_plain(needs)) {
+                const tl_words words =
+                    load_some_words(&layout, words_there, planes, plane_size, at, frame->pitch);
+                const pixel in = pixel_of(needs, &layout, &words, -s.position.z);
+                f = finish_of(needs, s, substance_of(frame, needs, in));
+            }
+            if (any_lane(s.position.z > (real)-INFINITY))
+                sum = lit_by(frame, needs, s, f, by);
+            const tl_words words =
+                load_some_words(&layout, words_there, planes, plane_size, at, frame->pitch);
+            const pixel in = pixel_of(needs, &layout, &words, -s.position.z);
+            const vec3 out = radiance_of(frame, needs, in, substance_of(frame, needs, in), sum);
+            store_block(out.x, radiance + at, frame->pitch);
+            store_block(out.y, radiance + plane_size + at, frame->pitch);
+            store_block(out.z, radiance + 2 * plane_size + at, frame->pitch);
+        }
+    }
+}
+
 /* planes    the frame's word planes, [rows][pitch] numbers each: layout.h
  * lights    [light_count]: first the global_count that reach everything; behind them as many
- *           tl_view_spots, where the scene has spots
+ *           tl_view_spots, where the scene has spots, and sections (frame.h)
  * starts, ends  [tiles_y * tiles_x]: tile t lists list[starts[t]] to list[ends[t] - 1], ascending
  * radiance  [3][rows][pitch], linear Rec. 709; written in full for every tile of the image
  * Global size: tiles_x * tiles_y, tiles row by row. */
@@ -131,54 +208,20 @@ __kernel void shade_tiles(const tl_frame frame,
                           __global float *restrict radiance)
 {
     const uint tile = get_global_id(0);
-    const uint column0 = tile % frame.tiles_x * frame.tile_size;
-    const uint row0 = tile / frame.tiles_x * frame.tile_size;
-    const uint start = starts[tile], end = ends[tile];
-    const size_t plane_size = (size_t)frame.rows * frame.pitch;
-    const tl_needs needs = needs_of_build();
-    const tl_layout layout = layout_of_build();
-
-    surface surfaces[MOST_BLOCKS_OF_ROW];
-
-    for (uint row = row0; row < row0 + frame.tile_size; row += BLOCK_ROWS) {
-        const size_t first = (size_t)(frame.buffer_row + row) * frame.pitch + column0;
-        ask_for_next_tile(&layout, planes, radiance, first, &frame);
-        for (uint b = 0; b < frame.tile_size / BLOCK_COLUMNS; b++) {
-            const uint column = column0 + b * BLOCK_COLUMNS;
-            const tl_words words =
-                load_words(&layout, planes, plane_size, first + b * BLOCK_COLUMNS, frame.pitch);
-            surfaces[b] =
-                unpacked_surface(&frame, needs, &layout, &words, (scalar)column + LANE_COLUMN,
-                                 (scalar)(frame.first_row + row) + LANE_ROW);
-        }
-        for (uint b = 0; b < frame.tile_size / BLOCK_COLUMNS; b++) {
-            const size_t at = first + b * BLOCK_COLUMNS;
-            const surface s = surfaces[b];
-            received sum = nothing_received();
-            finish f;
-            if (!is_plain(needs)) {
-                const tl_words words = load_words(&layout, planes, plane_size, at, frame.pitch);
-                const pixel in = pixel_of(needs, &layout, &words, -s.position.z);
-                f = finish_of(needs, s, substance_of(&frame, needs, in));
-            }
-            if (any_lane(s.position.z > (real)-INFINITY)) {
-                for (uint i = 0; i < frame.global_count; i++)
-                    sum = add_global_light(sum, needs, s, f, lights[i],
-                                           spot_of(needs, lights, frame.light_count, i));
-                if (!is_plain(needs))
-                    sum = add_lights_one_by_one(sum, needs, s, f, lights, frame.light_count,
-                                                list + start, end - start);
-                for (uint i = start; is_plain(needs) && i < end; i += LIGHTS_AT_ONCE)
-                    sum = add_listed_lights(sum, needs, s, lights, frame.light_count, list + i,
-                                            min(end - i, (uint)LIGHTS_AT_ONCE));
-            }
-            const tl_words words = load_words(&layout, planes, plane_size, at, frame.pitch);
-            const pixel in = pixel_of(needs, &layout, &words, -s.position.z);
-            const vec3 out =
-                radiance_of(&frame, needs, in, substance_of(&frame, needs, in), sum);
-            store_block(out.x, radiance + at, frame.pitch);
-            store_block(out.y, radiance + plane_size + at, frame.pitch);
-            store_block(out.z, radiance + 2 * plane_size + at, frame.pitch);
-        }
+    const tile_lights by = {lights, list, starts[tile], ends[tile]};
+    tl_needs needs = needs_of_build();
+    if (!needs.choices) {
+        shade_tile(&frame, needs, tile, planes, by, radiance);
+        return;
     }
+    const uint called = calls_of_tile(&frame, lights, list, by.start, by.end);
+    if (needs.choices & TL_CHOICE_LOBES)
+        needs.specular = (called & TL_CHOICE_LOBES) != 0;
+    if ((needs.choices & TL_CHOICE_CONES) && !(called & TL_CHOICE_CONES)) {
+        tl_needs without_cones = needs;
+        without_cones.spots = 0;
+        shade_tile(&frame, without_cones, tile, planes, by, radiance);
+        return;
+    }
+    shade_tile(&frame, needs, tile, planes, by, radiance);
 }

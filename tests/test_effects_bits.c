@@ -2,6 +2,9 @@
 #include "frames.h"
 #include "golden_scenes.h"
 
+#include "choices.h"
+#include "prepared.h"
+
 #include "tilelight/gbuffer_file.h"
 #include "tilelight/layouts.h"
 
@@ -145,11 +148,73 @@ static void what_is_left_out_adds_nothing(void **state)
     }
 }
 
+/* Small lamps in turn plain, with a cone, with a lobe, and with both: on tiles of every mixture. */
+static void add_mixed_lights(tl_light_set *set, const tl_camera *camera)
+{
+    uint32_t seed = 11;
+    tl_error err;
+    for (int i = 0; i < 40; i++) {
+        tl_light light = random_light(camera, &seed, 0.5f, 2.0f);
+        light.type = i & 1 ? TL_LIGHT_SPOT : TL_LIGHT_POINT;
+        light.direction[0] = light.direction[1] = 0.0f;
+        light.direction[2] = -1.0f;
+        light.inner_cone = 0.2f;
+        light.outer_cone = 0.9f;
+        light.specular = i & 2 ? 1.0f : 0.0f;
+        ASSERT_OK(tl_light_set_add(set, &light, &err), err);
+    }
+}
+
+static tl_u32 open_choices(const tl_gbuffer *g,
+                           const tl_light_set *lights,
+                           tl_effects_mode mode)
+{
+    tl_prepared prepared = {0};
+    const tl_prepare_options options = {.tile_size = 8, .box_count = 1, .effects = mode};
+    tl_error err;
+    ASSERT_OK(tl_prepare(g, lights, &options, NULL, &prepared, &err), err);
+    const tl_u32 open = prepared.needs.choices;
+    tl_prepared_clear(&prepared);
+    return open;
+}
+
+/* A tile that does without cones, or lobes, gives the bits of one that has them. */
+static void what_tiles_choose_does_not_show(void **state)
+{
+    const tl_camera camera = camera_of(70, 40, TL_PERSPECTIVE);
+    tl_lighting_options options = tl_lighting_options_default();
+    tl_light_set lights = {0};
+    tl_gbuffer *g = random_gbuffer(&camera, TL_GROUP_BASE | TL_GROUP_PHONG, 5);
+    tl_image *want = image_like(g), *got = image_like(g);
+    tl_error err;
+    ASSERT_OK(tl_gbuffer_repair(g, "mixed", false, NULL, &err), err);
+    add_mixed_lights(&lights, &camera);
+    assert_int_equal(open_choices(g, &lights, TL_EFFECTS_AUTO),
+                     TL_CHOICE_CONES | TL_CHOICE_LOBES);
+    assert_int_equal(open_choices(g, &lights, TL_EFFECTS_ALL), 0);
+    options.tile_size = 8;
+    options.precision = TL_PRECISION_TWIN;
+    light_frame(NULL, &options, g, &lights, want);
+    options.precision = TL_PRECISION_FLOAT;
+    light_frame(*state, &options, g, &lights, got);
+    assert_same_image(got, want, "tiles choose");
+    for (size_t i = 0; i < lights.count; i++) {
+        lights.lights[i].type = TL_LIGHT_SPOT;
+        lights.lights[i].specular = 1.0f;
+    }
+    assert_int_equal(open_choices(g, &lights, TL_EFFECTS_AUTO), 0);
+    tl_image_destroy(got);
+    tl_image_destroy(want);
+    tl_light_set_clear(&lights);
+    tl_gbuffer_destroy(g);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(scenes_keep_their_bits),
         cmocka_unit_test(what_is_left_out_adds_nothing),
+        cmocka_unit_test(what_tiles_choose_does_not_show),
     };
     return cmocka_run_group_tests(tests, open_device, close_device);
 }

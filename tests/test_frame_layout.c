@@ -39,6 +39,7 @@ static const struct {
     FIELD(tl_frame, brdfs_at),
     FIELD(tl_frame, shapes_at),
     FIELD(tl_frame, sky_at),
+    FIELD(tl_frame, calls_at),
     {"sizeof tl_view_light", sizeof(tl_view_light)},
     FIELD(tl_view_light, position),
     FIELD(tl_view_light, range2),

@@ -5,6 +5,7 @@
 #include "scene_causes.h"
 #include "sections.h"
 #include "spot_cone.h"
+#include "tile_choices.h"
 #include "view.h"
 
 #include <float.h>
@@ -244,7 +245,8 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
         prepared->needs = tl_needs_of_causes(&prepared->explanation, gbuffer, lights);
     }
     name_empty_cones(lights, notices);
-    return TL_OK;
+    prepared->needs.choices = 0;
+    return options->effects == TL_EFFECTS_ALL ? TL_OK : tl_choices_open(prepared, err);
 }
 
 size_t tl_prepared_lights_size(const tl_prepared *prepared)

@@ -143,7 +143,8 @@ static tl_kernel_options kernel_options(const tl_lighting *lighting)
                                .one_color = needs->one_color,
                                .ambient = needs->ambient,
                                .idle = needs->idle,
-                               .models = needs->models};
+                               .models = needs->models,
+                               .choices = needs->choices};
 }
 
 static tl_status run_on_device(tl_lighting *lighting,
