@@ -25,7 +25,8 @@
  *   idle           planes of the frame that are not read, for they change nothing: needs.h
  *   models         the rows of models.h that surfaces of the scene use, bits 1 << row: `model`, and those
  *                  of its materials
- *   choices        effects that tiles choose for themselves, bits of choices.h */
+ *   choices        effects that tiles choose for themselves, bits of choices.h
+ *   timed          1: shade_tiles takes another argument and says there when it began and ended a tile */
 #define TL_KERNEL_OPTIONS(X)           \
     X(TL_WIDTH, width)                 \
     X(TL_BY_PIXEL, by_pixel)           \
@@ -42,7 +43,8 @@
     X(TL_AMBIENT, ambient)             \
     X(TL_IDLE, idle)                   \
     X(TL_MODELS_USED, models)          \
-    X(TL_CHOICES, choices)
+    X(TL_CHOICES, choices)             \
+    X(TL_TIMED, timed)
 
 #ifdef __OPENCL_C_VERSION__
 #    if !defined(TL_WIDTH) || !defined(TL_BY_PIXEL) || !defined(TL_REAL_DOUBLE) ||        \
@@ -50,7 +52,7 @@
         !defined(TL_PRESENT) || !defined(TL_SPECULAR) || !defined(TL_FALLOFFS_USED) ||    \
         !defined(TL_MODEL) || !defined(TL_SPOTS) || !defined(TL_ONE_COLOR) ||             \
         !defined(TL_AMBIENT) || !defined(TL_IDLE) || !defined(TL_MODELS_USED) ||          \
-        !defined(TL_CHOICES)
+        !defined(TL_CHOICES) || !defined(TL_TIMED)
 #        error "build the kernels through tl_program_build(), which passes every option"
 #    endif
 #    if TL_BY_PIXEL && TL_WIDTH != 1

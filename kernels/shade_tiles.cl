@@ -193,11 +193,53 @@ TL_INLINE void shade_tile(const tl_frame *frame,
     }
 }
 
+/* The tile with what its lights call for. */
+TL_INLINE void shade_as_called(const tl_frame *frame,
+                               uint tile,
+                               __global const uchar *planes,
+                               tile_lights by,
+                               __global float *radiance)
+{
+    tl_needs needs = needs_of_build();
+    if (!needs.choices) {
+        shade_tile(frame, needs, tile, planes, by, radiance);
+        return;
+    }
+    const uint called = calls_of_tile(frame, by.lights, by.list, by.start, by.end);
+    if (needs.choices & TL_CHOICE_LOBES)
+        needs.specular = (called & TL_CHOICE_LOBES) != 0;
+    if ((needs.choices & TL_CHOICE_CONES) && !(called & TL_CHOICE_CONES)) {
+        tl_needs without_cones = needs;
+        without_cones.spots = 0;
+        shade_tile(frame, without_cones, tile, planes, by, radiance);
+        return;
+    }
+    shade_tile(frame, needs, tile, planes, by, radiance);
+}
+
+#if TL_TIMED
+#    define TIMES , __global ulong *restrict times
+#    define NOTE_TIME(at) (times[at] = clock_now())
+/* Ticks of a clock that all threads share, where a kernel can read one; else 0. */
+TL_INLINE ulong clock_now(void)
+{
+#    if defined(__clang__) && defined(__x86_64__)
+    return __builtin_readcyclecounter();
+#    else
+    return 0;
+#    endif
+}
+#else
+#    define TIMES
+#    define NOTE_TIME(at)
+#endif
+
 /* planes    the frame's word planes, [rows][pitch] numbers each: layout.h
  * lights    [light_count]: first the global_count that reach everything; behind them as many
  *           tl_view_spots, where the scene has spots, and sections (frame.h)
  * starts, ends  [tiles_y * tiles_x]: tile t lists list[starts[t]] to list[ends[t] - 1], ascending
  * radiance  [3][rows][pitch], linear Rec. 709; written in full for every tile of the image
+ * times     [tiles_y * tiles_x][2], with TL_TIMED alone: when each tile began and ended
  * Global size: tiles_x * tiles_y, tiles row by row. */
 __kernel void shade_tiles(const tl_frame frame,
                           __global const uchar *restrict planes,
@@ -205,23 +247,11 @@ __kernel void shade_tiles(const tl_frame frame,
                           __global const uint *restrict starts,
                           __global const uint *restrict ends,
                           __global const uint *restrict list,
-                          __global float *restrict radiance)
+                          __global float *restrict radiance TIMES)
 {
     const uint tile = get_global_id(0);
     const tile_lights by = {lights, list, starts[tile], ends[tile]};
-    tl_needs needs = needs_of_build();
-    if (!needs.choices) {
-        shade_tile(&frame, needs, tile, planes, by, radiance);
-        return;
-    }
-    const uint called = calls_of_tile(&frame, lights, list, by.start, by.end);
-    if (needs.choices & TL_CHOICE_LOBES)
-        needs.specular = (called & TL_CHOICE_LOBES) != 0;
-    if ((needs.choices & TL_CHOICE_CONES) && !(called & TL_CHOICE_CONES)) {
-        tl_needs without_cones = needs;
-        without_cones.spots = 0;
-        shade_tile(&frame, without_cones, tile, planes, by, radiance);
-        return;
-    }
-    shade_tile(&frame, needs, tile, planes, by, radiance);
+    NOTE_TIME(2 * tile);
+    shade_as_called(&frame, tile, planes, by, radiance);
+    NOTE_TIME(2 * tile + 1);
 }

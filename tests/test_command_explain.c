@@ -109,6 +109,9 @@ static void each_effect_is_told_with_its_reason(void **state)
         "left out\n  light 0 \"burnt out\": has no colour or no intensity\n"
         "  plane ao: not read by any effect that is on\n"
         "  plane emissive: not read, black in every pixel\n",
+        "\n  global-lights         9 tiles          9 pairs\n",
+        "\n  ranged-lights         2 tiles          4 pairs\n",
+        "\n  sky                   3 tiles\n",
         "\n  tiles           12 of 16 x 16 pixels: 3 sky alone, 7 more without a listed "
         "light\n",
         "\n  pairs           4 of a tile and a light, 0.3 a tile\n",
@@ -243,6 +246,46 @@ static void bands_show_the_same_map(void **state)
     assert_string_equal(run->err, before);
 }
 
+/* Of which tile (2, 1) has three lights, in the dark: it takes longer than the sky. */
+static void costs_are_measured(void **state)
+{
+    const char *why = NULL;
+    double ms = 0.0, low = 1.0, high = 0.0, share = 0.0, most = 0.0;
+    int frames = 0, tiles = 0;
+    size_t i;
+    json_t *class;
+    (void)state;
+    write_lamps("lamps.exr");
+    expect_run("$T light lamps.exr -o lit.exr --explain-costs --explain-map-costs cost.png "
+               "--json >report.json",
+               0, "", "");
+    expect_run("$T light lamps.exr -o plain.exr", 0, "", "");
+    expect_run("$T compare lit.exr plain.exr --tolerance 0", 0, "", "");
+    json_t *report = json_of("report.json");
+    assert_int_equal(json_unpack(report, "{s{s{s{s{sF s[FF] sF si}} s{s{ss}}}}}", "explain",
+                                 "effects", "ranged-lights", "cost", "ms", &ms, "interval",
+                                 &low, &high, "share", &share, "frames", &frames, "directional",
+                                 "cost", "unknown_because", &why),
+                     0);
+    assert_true(low <= ms && ms <= high && share <= 1.0);
+    assert_int_equal(frames, 7);
+    assert_string_equal(why, "not to be taken out alone: its lights would have no falloff");
+    json_array_foreach(json_object_get(json_object_get(report, "explain_map_costs"), "classes"),
+                       i, class)
+    {
+        tiles += (int)json_integer_value(json_object_get(class, "tiles"));
+        assert_true(json_number_value(json_object_get(class, "above_us")) >= most);
+        most = json_number_value(json_object_get(class, "to_us"));
+    }
+    assert_int_equal(tiles, 12);
+    assert_true(most > 0.0);
+    json_decref(report);
+    expect_run("$T light lamps.exr -o lit.exr --explain-costs --precision twin", 3, "",
+               "what is lit without OpenCL is not shaded once more");
+    expect_run("$T light lamps.exr -o lit.exr --explain-map-costs c.png --path gpu", 3, "",
+               "times of tiles are not to be had here");
+}
+
 static void wrong_maps_are_refused(void **state)
 {
     (void)state;
@@ -287,6 +330,7 @@ int main(void)
         cmocka_unit_test_setup(json_has_the_same, enter),
         cmocka_unit_test_setup(map_shows_what_tiles_list, enter),
         cmocka_unit_test_setup(bands_show_the_same_map, enter),
+        cmocka_unit_test_setup(costs_are_measured, enter),
         cmocka_unit_test_setup(wrong_maps_are_refused, enter),
         cmocka_unit_test_setup(the_table_is_listed, enter),
     };

@@ -1,5 +1,6 @@
 #include "explain_text.h"
 
+#include "explain_costs.h"
 #include "light_fields.h"
 #include "printable.h"
 
@@ -223,6 +224,37 @@ static tile_sums sums_of(const explained *e)
     return s;
 }
 
+/* Of the effects that are on: where they are used, and what they cost where that was measured. */
+static void print_use(const explained *e)
+{
+    fprintf(stderr, "use\n");
+    for (int i = 0; i < TL_EFFECT_COUNT; i++) {
+        const effect_use *use = &e->use[i];
+        const effect_cost *cost = &e->costs[i];
+        if (!is_on(e, i))
+            continue;
+        fprintf(stderr, "  %-14s  %7" PRIu32 " tiles", tl_effect_rows[i].word, use->tiles);
+        if (tl_effects_of_light(~0u, ~0u) >> i & 1u)
+            fprintf(stderr, " %10.0f pairs", use->pairs);
+        else if (e->has_costs)
+            fprintf(stderr, "%17s", "");
+        if (e->has_costs && cost->is_known)
+            fprintf(stderr, " %8.2f ms (%.2f to %.2f) %6.1f %%", cost->ms, cost->low,
+                    cost->high, 100.0 * cost->share);
+        else if (e->has_costs)
+            fprintf(stderr, "  %s", cost->why);
+        fprintf(stderr, "\n");
+    }
+    if (e->has_costs)
+        fprintf(
+            stderr,
+            "  A cost is how much longer the shading kernel takes than one built without the "
+            "effect, on the\n  same lists: the median of %d pairs, by turns, with its 95 %% "
+            "interval, and its share of the\n  kernel's %.2f ms. Effects overlap, so costs do "
+            "not add up; culling is not in them.\n",
+            (int)COST_RUNS, e->shade_ms);
+}
+
 static double ratio(double of, double by)
 {
     return by > 0.0 ? of / by : 0.0;
@@ -304,6 +336,7 @@ void explain_print(const job *j, const explained *e)
                 is_on(e, i) ? "on" : "off", text);
     }
     each_left_out(j, e, print_left_out, &lines);
+    print_use(e);
     print_work(e);
     print_macros(e);
     print_stages(&j->timings);
@@ -328,6 +361,19 @@ static json_t *macros_as_json(const explained *e)
     return object;
 }
 
+/* NULL where costs were not asked for, or the effect is off. */
+static json_t *cost_as_json(const explained *e, int effect)
+{
+    const effect_cost *cost = &e->costs[effect];
+    if (!e->has_costs || !is_on(e, effect))
+        return NULL;
+    if (!cost->is_known)
+        return json_pack("{ss}", "unknown_because", cost->why);
+    return json_pack("{sf s[ff] sf sf si}", "ms", cost->ms, "interval", cost->low, cost->high,
+                     "share", cost->share, "of_shading_ms", e->shade_ms, "frames",
+                     (int)COST_RUNS);
+}
+
 json_t *explain_as_json(const job *j, const explained *e)
 {
     const tile_sums s = sums_of(e);
@@ -336,7 +382,9 @@ json_t *explain_as_json(const job *j, const explained *e)
     for (int i = 0; i < TL_EFFECT_COUNT; i++) {
         because(j, e, i, text);
         json_object_set_new(effects, tl_effect_rows[i].word,
-                            json_pack("{sb ss}", "on", (int)is_on(e, i), "because", text));
+                            json_pack("{sb ss sI sf so*}", "on", (int)is_on(e, i), "because",
+                                      text, "tiles", (json_int_t)e->use[i].tiles, "pairs",
+                                      e->use[i].pairs, "cost", cost_as_json(e, i)));
     }
     each_left_out(j, e, append_left_out, left_out);
     return json_pack(

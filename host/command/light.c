@@ -54,7 +54,7 @@ static const struct argp argp = {
 static tl_status run(job *j, const light_options *options, tl_device **device, tl_error *err)
 {
     tl_status status = TL_OK;
-    explained told = {0};
+    explained told = {.asked = &options->explain};
     TRY(picture_check(&options->pictures, options->gbuffer, err));
     TRY(explain_check(&options->explain, options->gbuffer, err));
     TRY(job_begin(j, &options->report, err));

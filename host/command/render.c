@@ -93,7 +93,7 @@ done:
 static tl_status run(job *j, const render_options *options, tl_device **device, tl_error *err)
 {
     tl_status status = TL_OK;
-    explained told = {0};
+    explained told = {.asked = &options->explain};
     TRY(picture_check(&options->pictures, options->scene, err));
     TRY(explain_check(&options->explain, options->scene, err));
     TRY(job_begin(j, &options->report, err));

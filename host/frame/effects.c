@@ -13,6 +13,44 @@ const tl_cause_row tl_cause_rows[TL_CAUSE_COUNT] = {
 #undef ROW
 };
 
+static uint32_t causes_of_lights(void)
+{
+    uint32_t causes = 0;
+    for (int i = 0; i < TL_CAUSE_COUNT; i++)
+        if (tl_cause_rows[i].kind == TL_CAUSE_OF_LIGHTS)
+            causes |= TL_BY(i);
+    return causes;
+}
+
+/* Without a cause of lights an effect is called for by no light. */
+uint32_t tl_effects_of_light(uint32_t all_causes, uint32_t light_causes)
+{
+    const uint32_t of_lights = causes_of_lights();
+    uint32_t effects = tl_effects_of((all_causes & ~of_lights) | light_causes);
+    for (int i = 0; i < TL_EFFECT_COUNT; i++)
+        if (!(tl_effect_rows[i].causes & of_lights))
+            effects &= ~(1u << i);
+    return effects;
+}
+
+#define NO_FALLOFF "its lights would have no falloff"
+static const char *const bound_by[TL_EFFECT_COUNT] = {
+    [TL_EFFECT_DIRECTIONAL] = NO_FALLOFF,
+    [TL_EFFECT_INVERSE_SQUARE] = NO_FALLOFF,
+    [TL_EFFECT_LINEAR] = NO_FALLOFF,
+    [TL_EFFECT_LINEAR_FROM] = NO_FALLOFF,
+    [TL_EFFECT_METAL_ROUGH] = "surfaces would have no material",
+    [TL_EFFECT_MODEL] = "another model would stand in for it",
+    [TL_EFFECT_ONE_COLOR] = "two sums would stand in for one",
+    [TL_EFFECT_SKY] = "black is a colour too",
+    [TL_EFFECT_PARALLEL] = "other rays would stand in for it",
+};
+
+const char *tl_effect_bound(tl_effect effect)
+{
+    return bound_by[effect];
+}
+
 uint32_t tl_effects_of(uint32_t causes)
 {
     uint32_t on = 0;

@@ -132,10 +132,14 @@ static void add(const tl_camera *camera,
     const int is_idle = tl_light_is_idle(explanation, &v, &spot, source, global);
     if (is_idle && options->effects != TL_EFFECTS_ALL)
         return;
+    const uint32_t before = explanation->causes;
+    explanation->causes = 0;
     tl_causes_of_light(explanation, &v, tl_spot_has_edge(light), source, global);
     prepared->two_colored_count += !is_idle && has_two_colors(&v);
     const uint32_t i = prepared->frame.light_count++;
     prepared->sources[i] = source;
+    prepared->light_causes[i] = explanation->causes;
+    explanation->causes |= before;
     prepared->lights[i] = v;
     prepared->spots[i] = spot;
 }
@@ -215,6 +219,10 @@ static tl_status reserve_lights(tl_prepared *prepared, size_t count, tl_error *e
     if (!sources)
         return tl_fail(err, TL_ERR_MEMORY, "out of memory for %zu lights", count);
     prepared->sources = sources;
+    uint32_t *causes = realloc(prepared->light_causes, count * sizeof *causes);
+    if (!causes)
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for %zu lights", count);
+    prepared->light_causes = causes;
     const tl_status status = tl_sections_reserve(prepared, count * TL_LIGHT_AND_CONE, err);
     if (status == TL_OK)
         prepared->capacity = count;
@@ -260,6 +268,7 @@ size_t tl_prepared_lights_size(const tl_prepared *prepared)
 void tl_prepared_clear(tl_prepared *prepared)
 {
     free(prepared->sources);
+    free(prepared->light_causes);
     free(prepared->lights);
     *prepared = (tl_prepared){0};
 }

@@ -17,10 +17,11 @@ typedef struct tl_prepared {
     tl_view_light *lights; /* [frame.light_count]; owned */
     tl_view_spot *
         spots; /* [frame.light_count], behind the lights in their memory; sections behind them */
-    uint32_t *sources;    /* [frame.light_count], of each its index in the light set; owned */
-    size_t capacity;      /* lights that there is room for in `sources` */
-    size_t memory_size;   /* bytes at `lights` */
-    size_t sections_size; /* bytes of the sections behind the cones: sections.h */
+    uint32_t *sources;      /* [frame.light_count], of each its index in the light set; owned */
+    uint32_t *light_causes; /* [frame.light_count], of each the causes that it is; owned */
+    size_t capacity;        /* lights that there is room for in both */
+    size_t memory_size;     /* bytes at `lights` */
+    size_t sections_size;   /* bytes of the sections behind the cones: sections.h */
     uint32_t two_colored_count; /* lights that add something, with lobes of different colours */
     tl_explanation explanation; /* where `needs` comes from */
 } tl_prepared;

@@ -136,7 +136,7 @@ tl_needs tl_needs_of_causes(tl_explanation *e,
                             const tl_gbuffer *gbuffer,
                             const tl_light_set *lights)
 {
-    e->effects = tl_effects_of(e->causes | e->assumed);
+    e->effects = tl_effects_of(e->causes | e->assumed) & ~e->without;
     e->idle = idle_planes(e);
     tl_needs needs = {.present = gbuffer->present,
                       .layout = gbuffer->layout,

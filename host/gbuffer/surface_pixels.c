@@ -3,6 +3,8 @@
 #include "packing.h"
 #include "parallel.h"
 
+#include <math.h>
+
 #include <string.h>
 
 typedef struct job {
@@ -42,4 +44,47 @@ void tl_surface_pixels(const tl_gbuffer *gbuffer, uint32_t tile_size, uint32_t *
              .tiles_x = (camera->width + tile_size - 1) / tile_size,
              .counts = counts};
     tl_parallel((camera->height + tile_size - 1) / tile_size, 1, count_tiles, &j);
+}
+
+/* Where planes say something. */
+typedef struct plane_job {
+    const tl_gbuffer *gbuffer;
+    uint32_t tile_size, tiles_x;
+    uint32_t *planes;
+} plane_job;
+
+static const float empty_values[TL_PLANE_COUNT] = {
+#define EMPTY(name, channel, empty, meaning) [name] = (empty),
+    TL_PLANES(EMPTY)
+#undef EMPTY
+};
+
+static void note_row(const plane_job *j, enum tl_plane plane, uint32_t row)
+{
+    const float *values = tl_gbuffer_plane(j->gbuffer, plane) + (size_t)row * j->gbuffer->pitch;
+    uint32_t *planes = j->planes + (size_t)(row / j->tile_size) * j->tiles_x;
+    for (uint32_t column = 0; column < j->gbuffer->camera.width; column++)
+        if (memcmp(&values[column], &empty_values[plane], sizeof(float)) != 0)
+            planes[column / j->tile_size] |= TL_HAS(plane);
+}
+
+static void note_tiles(void *context, size_t begin, size_t end)
+{
+    const plane_job *j = context;
+    const size_t height = j->gbuffer->camera.height;
+    memset(j->planes + begin * j->tiles_x, 0, (end - begin) * j->tiles_x * sizeof *j->planes);
+    for (size_t row = begin * j->tile_size; row < end * j->tile_size && row < height; row++)
+        for (int p = 0; p < TL_PLANE_COUNT; p++)
+            if (j->gbuffer->present >> p & 1u)
+                note_row(j, (enum tl_plane)p, (uint32_t)row);
+}
+
+void tl_surface_planes(const tl_gbuffer *gbuffer, uint32_t tile_size, uint32_t *planes)
+{
+    const tl_camera *camera = &gbuffer->camera;
+    plane_job j = {.gbuffer = gbuffer,
+                   .tile_size = tile_size,
+                   .tiles_x = (camera->width + tile_size - 1) / tile_size,
+                   .planes = planes};
+    tl_parallel((camera->height + tile_size - 1) / tile_size, 1, note_tiles, &j);
 }

@@ -9,4 +9,9 @@
  * On all threads. Cannot fail. */
 void tl_surface_pixels(const tl_gbuffer *gbuffer, uint32_t tile_size, uint32_t *counts);
 
+/* Of every tile, the planes that say more in one of its pixels than their absence would, bits 1 << plane:
+ * what colours say counts channel by channel. For a G-buffer in full float that tl_gbuffer_repair has been
+ * through. planes: as counts above. On all threads. Cannot fail. */
+void tl_surface_planes(const tl_gbuffer *gbuffer, uint32_t tile_size, uint32_t *planes);
+
 #endif

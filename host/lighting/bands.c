@@ -225,29 +225,58 @@ done:
     return status;
 }
 
-/* Where lists start and end says how long they are. */
-static tl_status keep_lengths(tl_pass_context *c, uint32_t *tile_lights, tl_error *err)
+/* Entries [start, end) of the list, of a tile. */
+static void keep_list(
+    const tl_kept_lists *kept, size_t tile, const cl_uint *list, cl_uint start, cl_uint end)
 {
+    kept->lights[tile] = end - start;
+    kept->effects[tile] = 0;
+    for (cl_uint i = start; i < end; i++) {
+        const uint32_t effects = kept->light_effects[list[i]];
+        kept->effects[tile] |= effects;
+        for (uint32_t rest = effects; rest; rest &= rest - 1)
+            kept->pairs[__builtin_ctz(rest)]++;
+    }
+}
+
+/* What is kept of the band's lists, at their places in the frame. */
+static tl_status keep_lists(tl_pass_context *c,
+                            const tl_kept_lists *kept,
+                            uint64_t list_length,
+                            tl_error *err)
+{
+    static const tl_buffer_name names[] = {TL_BUFFER_STARTS, TL_BUFFER_ENDS, TL_BUFFER_LIST};
     const size_t count = tl_tile_count(&c->frame), size = count * sizeof(cl_uint);
+    const size_t first = c->frame.first_row / c->frame.tile_size * (size_t)c->frame.tiles_x;
+    const size_t sizes[] = {size, size, (size_t)list_length * sizeof(cl_uint)};
+    const cl_uint *of[3] = {NULL};
     tl_status status = TL_OK;
-    void *mapped = NULL;
-    TRY(tl_buffers_map(c->buffers, c->device, TL_BUFFER_ENDS, CL_MAP_READ, size, &mapped, err));
-    memcpy(tile_lights, mapped, size);
-    TRY(tl_buffers_unmap(c->buffers, c->device, TL_BUFFER_ENDS, mapped, err));
-    TRY(tl_buffers_map(c->buffers, c->device, TL_BUFFER_STARTS, CL_MAP_READ, size, &mapped,
-                       err));
+    for (int i = 0; i < 3; i++) {
+        void *mapped = NULL;
+        if (sizes[i] == 0)
+            continue;
+        TRY(tl_buffers_map(c->buffers, c->device, names[i], CL_MAP_READ, sizes[i], &mapped,
+                           err));
+        of[i] = mapped;
+    }
     for (size_t tile = 0; tile < count; tile++)
-        tile_lights[tile] -= ((const cl_uint *)mapped)[tile];
-    TRY(tl_buffers_unmap(c->buffers, c->device, TL_BUFFER_STARTS, mapped, err));
+        keep_list(kept, first + tile, of[2], of[0][tile], of[1][tile]);
 done:
+    for (int i = 0; i < 3; i++)
+        if (of[i] &&
+            tl_buffers_unmap(c->buffers, c->device, names[i], (void *)(uintptr_t)of[i],
+                             status == TL_OK ? err : NULL) != TL_OK &&
+            status == TL_OK)
+            status = TL_ERR_DEVICE;
     return status;
 }
 
-/* The band's part of what is kept for the frame. */
-static uint32_t *tile_lights_of(const tl_pass_context *c, const tl_band_options *options)
+/* How many entries the buffer of lists has in use: where all tiles share one list, it is there once. */
+static uint64_t entries_of(const tl_pass_context *c,
+                           const tl_band_options *options,
+                           uint64_t list_length)
 {
-    const size_t rows_before = c->frame.first_row / c->frame.tile_size;
-    return options->tile_lights + rows_before * c->frame.tiles_x;
+    return culls(c, options) ? list_length : c->frame.light_count - c->frame.global_count;
 }
 
 /* One band. *fitted is 0, and nothing lit, where cull_band says so. */
@@ -260,14 +289,16 @@ static tl_status light_band(tl_pass_context *c,
                             int *fitted,
                             tl_error *err)
 {
+    const uint64_t listed_before = counts->list_length;
     tl_status status = TL_OK;
     double clock = tl_seconds();
     TRY(upload(c, gbuffer, image, err));
     clock = tl_timings_end(timings, "upload", clock);
     TRY(cull_band(c, options, gbuffer, counts, fitted, err));
     clock = tl_timings_end(timings, "cull", clock);
-    if (*fitted && options->tile_lights)
-        TRY(keep_lengths(c, tile_lights_of(c, options), err));
+    if (*fitted && options->kept)
+        TRY(keep_lists(c, options->kept,
+                       entries_of(c, options, counts->list_length - listed_before), err));
     if (*fitted) {
         TRY(shade(c, counts, err));
         clock = tl_timings_end(timings, "shade", clock);
@@ -311,5 +342,33 @@ tl_status tl_bands_light(tl_pass_context *c,
     counts->device_bytes = tl_buffers_size(c->buffers);
     counts->first_kernel_s = c->first_start_s;
 done:
+    return status;
+}
+
+tl_status tl_bands_shade_again(tl_pass_context *c,
+                               const tl_gbuffer *gbuffer,
+                               tl_image *image,
+                               const tl_lighting_counts *counts,
+                               double *ms,
+                               tl_error *err)
+{
+    const band whole = {0, c->prepared->frame.tiles_y};
+    const uint32_t global_count = c->frame.global_count;
+    tl_status status = TL_OK;
+    *ms = 0.0;
+    if (counts->band_count != 1)
+        TRY(tl_fail(err, TL_ERR_UNSUPPORTED,
+                    "a frame that is lit in bands cannot be shaded once more: allow more "
+                    "(--memory)"));
+    aim_at(c, gbuffer, whole);
+    c->frame.global_count = global_count;
+    TRY(upload(c, gbuffer, image, err));
+    if (c->program->options.timed)
+        TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_TIMES,
+                               2 * tl_tile_count(&c->frame) * sizeof(cl_ulong), err));
+    TRY(tl_pass_shade(c, ms, err));
+done:
+    if (tl_pass_finish(c, status == TL_OK ? err : NULL) != TL_OK && status == TL_OK)
+        status = TL_ERR_DEVICE;
     return status;
 }

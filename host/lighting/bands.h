@@ -5,10 +5,19 @@
 
 #include "passes.h"
 
+/* What is kept of the lists of a frame: arrays of the caller's. */
+typedef struct tl_kept_lists {
+    uint32_t *lights; /* [tiles_y][tiles_x] of the frame: gets lengths of lists */
+    uint32_t
+        *effects; /* the same: gets the effects that listed lights call for, bits 1 << effect */
+    uint64_t *pairs; /* [TL_EFFECT_COUNT]: is raised by the entries that call for it */
+    const uint32_t *light_effects; /* [light_count]: what each light calls for */
+} tl_kept_lists;
+
 typedef struct tl_band_options {
-    int cull;              /* 0: every tile lists every light */
-    uint64_t memory_limit; /* bytes of the device's own buffers; 0: what the device has */
-    uint32_t *tile_lights; /* [tiles_y][tiles_x] of the frame: gets lengths of lists; or NULL */
+    int cull;                  /* 0: every tile lists every light */
+    uint64_t memory_limit;     /* bytes of the device's own buffers; 0: what the device has */
+    const tl_kept_lists *kept; /* NULL: nothing is */
 } tl_band_options;
 
 /* Lights the frame of context->prepared into the image; context->frame is its own. *counts gets
@@ -21,5 +30,15 @@ tl_status tl_bands_light(tl_pass_context *context,
                          tl_timings *timings,
                          tl_lighting_counts *counts,
                          tl_error *err);
+
+/* Shades the frame that was lit last once more, from the lists that are there, into an image of its size,
+ * by the context's program; *ms is the device's time. Fails with TL_ERR_UNSUPPORTED where it was lit in
+ * bands, of whose lists the last alone are there; with TL_ERR_DEVICE or TL_ERR_MEMORY. */
+tl_status tl_bands_shade_again(tl_pass_context *context,
+                               const tl_gbuffer *gbuffer,
+                               tl_image *image,
+                               const tl_lighting_counts *counts,
+                               double *ms,
+                               tl_error *err);
 
 #endif

@@ -18,7 +18,8 @@
     X(TL_BUFFER_CELL_LIST, "[entries of all cells] uint")                   \
     X(TL_BUFFER_LIST, "[list_length] uint")                                 \
     X(TL_BUFFER_PLANES, "[plane_count][rows][pitch] float, the G-buffer's") \
-    X(TL_BUFFER_RADIANCE, "[3][rows][pitch] float, the image's")
+    X(TL_BUFFER_RADIANCE, "[3][rows][pitch] float, the image's")            \
+    X(TL_BUFFER_TIMES, "[tiles_y * tiles_x][2] ulong")
 
 typedef enum tl_buffer_name {
 #define TL_BUFFER_NAME(name, shape) name,

@@ -1,6 +1,5 @@
-#include "tilelight/lighting.h"
+#include "lighting_state.h"
 
-#include "bands.h"
 #include "reference.h"
 #include "tilelight/layouts.h"
 #include "try.h"
@@ -8,16 +7,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-struct tl_lighting {
-    tl_device *device;
-    tl_lighting_options options;
-    tl_prepared prepared;
-    tl_buffers buffers;
-    uint32_t *tile_lights; /* [tile_capacity]; NULL unless it is asked for; owned */
-    size_t tile_capacity;
-    tl_gbuffer *unpacked; /* of the last frame, where a user's kernel lit a packed one */
-};
 
 static const struct {
     int on_host, is_double;
@@ -47,6 +36,11 @@ static int is_by_pixel(const tl_device *device, const tl_lighting_options *optio
     if (options->path == TL_PATH_AUTO)
         return strcmp(device->info.kind, "gpu") == 0;
     return options->path == TL_PATH_GPU;
+}
+
+int tl_lighting_is_on_host(const tl_lighting *lighting)
+{
+    return precisions[lighting->options.precision].on_host;
 }
 
 static int is_one_of(uint32_t value, const uint32_t *values, size_t count)
@@ -112,13 +106,14 @@ void tl_lighting_destroy(tl_lighting *lighting)
     tl_gbuffer_destroy(lighting->unpacked);
     tl_prepared_clear(&lighting->prepared);
     free(lighting->tile_lights);
+    free(lighting->tile_effects);
+    free(lighting->light_effects);
     free(lighting);
 }
 
-static tl_kernel_options kernel_options(const tl_lighting *lighting)
+tl_kernel_options tl_lighting_kernels(const tl_lighting *lighting, const tl_needs *needs)
 {
     const tl_lighting_options *o = &lighting->options;
-    const tl_needs *needs = &lighting->prepared.needs;
     const int is_double = precisions[o->precision].is_double;
     uint32_t width = o->vector_width ? o->vector_width : lighting->device->info.vector_width;
     if (!o->vector_width && o->kernel.text && o->kernel.items == TL_ITEMS_PIXEL)
@@ -155,10 +150,14 @@ static tl_status run_on_device(tl_lighting *lighting,
                                tl_error *err)
 {
     const tl_lighting_options *options = &lighting->options;
-    const tl_kernel_options kernels = kernel_options(lighting);
+    const tl_kernel_options kernels = tl_lighting_kernels(lighting, &lighting->prepared.needs);
+    const tl_kept_lists kept = {.lights = lighting->tile_lights,
+                                .effects = lighting->tile_effects,
+                                .pairs = lighting->use.pairs,
+                                .light_effects = lighting->light_effects};
     const tl_band_options bands = {.cull = options->cull != TL_CULL_NONE,
                                    .memory_limit = options->memory_limit,
-                                   .tile_lights = lighting->tile_lights};
+                                   .kept = options->keeps_tile_lights ? &kept : NULL};
     tl_status status = TL_OK;
     tl_pass_context context = {.device = lighting->device,
                                .buffers = &lighting->buffers,
@@ -186,13 +185,18 @@ const uint32_t *tl_lighting_tile_lights(const tl_lighting *lighting)
     return lighting->tile_lights;
 }
 
+const tl_effect_use *tl_lighting_effect_use(const tl_lighting *lighting)
+{
+    return lighting->options.keeps_tile_lights ? &lighting->use : NULL;
+}
+
 void tl_lighting_build_options(const tl_lighting *lighting, char *text, size_t size)
 {
     const tl_program *program = NULL;
     text[0] = '\0';
     if (precisions[lighting->options.precision].on_host || !lighting->prepared.lights)
         return;
-    const tl_kernel_options kernels = kernel_options(lighting);
+    const tl_kernel_options kernels = tl_lighting_kernels(lighting, &lighting->prepared.needs);
     char *options = NULL;
     size_t options_size = 0;
     if (tl_program_find(lighting->device, &kernels, &lighting->options.kernel, &program,
@@ -242,25 +246,64 @@ static tl_lighting_counts counts_of(const tl_prepared *prepared)
     };
 }
 
-/* Room for every tile, which without lists has every light. */
-static tl_status reserve_tile_lights(tl_lighting *lighting,
-                                     const tl_lighting_counts *counts,
-                                     tl_error *err)
+/* *array becomes one of `count`, what was in it lost. */
+static tl_status reserve(uint32_t **array, size_t count, tl_error *err)
 {
+    free(*array);
+    *array = malloc((count + 1) * sizeof **array);
+    return *array ? TL_OK
+                  : tl_fail(err, TL_ERR_MEMORY,
+                            "out of memory for what tiles and lights call for");
+}
+
+static tl_status reserve_kept(tl_lighting *lighting, size_t tiles, size_t lights, tl_error *err)
+{
+    tl_status status = TL_OK;
+    if (tiles > lighting->tile_capacity || !lighting->tile_lights) {
+        TRY(reserve(&lighting->tile_lights, tiles, err));
+        TRY(reserve(&lighting->tile_effects, tiles, err));
+        lighting->tile_capacity = tiles;
+    }
+    if (lights > lighting->light_capacity || !lighting->light_effects) {
+        TRY(reserve(&lighting->light_effects, lights, err));
+        lighting->light_capacity = lights;
+    }
+done:
+    return status;
+}
+
+/* Prepares for what is kept of lists. Without lists, every tile has every light. */
+static tl_status keep_tiles(tl_lighting *lighting,
+                            const tl_lighting_counts *counts,
+                            tl_error *err)
+{
+    const tl_prepared *prepared = &lighting->prepared;
+    const tl_explanation *explanation = &prepared->explanation;
+    const int has_lists = !precisions[lighting->options.precision].on_host;
+    tl_effect_use *use = &lighting->use;
+    uint32_t all = 0;
+    tl_status status = TL_OK;
     if (!lighting->options.keeps_tile_lights)
         return TL_OK;
-    if (counts->tile_count > lighting->tile_capacity) {
-        uint32_t *grown =
-            realloc(lighting->tile_lights, counts->tile_count * sizeof *lighting->tile_lights);
-        if (!grown)
-            return tl_fail(err, TL_ERR_MEMORY, "out of memory for the lights of %u tiles",
-                           counts->tile_count);
-        lighting->tile_lights = grown;
-        lighting->tile_capacity = counts->tile_count;
+    TRY(reserve_kept(lighting, counts->tile_count, prepared->frame.light_count, err));
+    *use = (tl_effect_use){.tiles = lighting->tile_effects};
+    for (uint32_t i = 0; i < prepared->frame.light_count; i++) {
+        const int is_global = i < prepared->frame.global_count;
+        const uint32_t effects = tl_effects_of_light(explanation->causes | explanation->assumed,
+                                                     prepared->light_causes[i]);
+        lighting->light_effects[i] = effects;
+        all |= is_global ? 0 : effects;
+        for (uint32_t rest = effects; rest; rest &= rest - 1) {
+            use->global_lights[__builtin_ctz(rest)] += (uint32_t)is_global;
+            use->pairs[__builtin_ctz(rest)] += is_global || has_lists ? 0 : counts->tile_count;
+        }
     }
-    for (uint32_t i = 0; i < counts->tile_count; i++)
+    for (uint32_t i = 0; i < counts->tile_count; i++) {
         lighting->tile_lights[i] = counts->ranged_light_count;
-    return TL_OK;
+        lighting->tile_effects[i] = all;
+    }
+done:
+    return status;
 }
 
 tl_status tl_lighting_run(tl_lighting *lighting,
@@ -292,7 +335,7 @@ tl_status tl_lighting_run(tl_lighting *lighting,
                    notices, &lighting->prepared, err));
     clock = tl_timings_end(timings, "prepare", clock);
     frame_counts = counts_of(&lighting->prepared);
-    TRY(reserve_tile_lights(lighting, &frame_counts, err));
+    TRY(keep_tiles(lighting, &frame_counts, err));
     if (precisions[options->precision].on_host) {
         tl_reference_light(&lighting->prepared, gbuffer,
                            precisions[options->precision].arithmetic, image);
@@ -304,6 +347,7 @@ tl_status tl_lighting_run(tl_lighting *lighting,
     }
     frame_counts.pair_count =
         frame_counts.list_length * options->tile_size * options->tile_size;
+    lighting->counts = frame_counts;
     if (counts)
         *counts = frame_counts;
 done:

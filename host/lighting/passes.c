@@ -45,11 +45,14 @@ done:
 /* A user's kernel, which stands in for shade_tiles, says itself what its work-items are. */
 tl_status tl_pass_shade(tl_pass_context *c, double *ms, tl_error *err)
 {
-    static const tl_buffer_name arguments[] = {TL_BUFFER_PLANES, TL_BUFFER_LIGHTS,
-                                               TL_BUFFER_STARTS, TL_BUFFER_ENDS,
-                                               TL_BUFFER_LIST,   TL_BUFFER_RADIANCE};
-    const cl_uint count = sizeof arguments / sizeof arguments[0];
     const tl_program *program = c->program;
+    const tl_buffer_name arguments[] = {
+        TL_BUFFER_PLANES, TL_BUFFER_LIGHTS,
+        TL_BUFFER_STARTS, c->ignores_lists ? TL_BUFFER_STARTS : TL_BUFFER_ENDS,
+        TL_BUFFER_LIST,   TL_BUFFER_RADIANCE,
+        TL_BUFFER_TIMES};
+    const cl_uint all = sizeof arguments / sizeof arguments[0];
+    const cl_uint count = program->options.timed ? all : all - 1;
     const size_t tiles = tl_tile_count(&c->frame),
                  pixels = (size_t)c->frame.tile_size * c->frame.tile_size;
     if (c->by_pixel && !program->user.text)

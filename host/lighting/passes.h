@@ -16,7 +16,8 @@ typedef struct tl_pass_context {
     const tl_prepared *prepared;
     tl_frame frame; /* of the band */
     int precision_is_double;
-    int by_pixel; /* 1: the path for GPUs, and a program for it */
+    int by_pixel;      /* 1: the path for GPUs, and a program for it */
+    int ignores_lists; /* 1: shading takes every list for empty */
     double
         first_start_s; /* of the first launch that has finished, on tl_seconds' clock; or 0 */
     int launch_count;
@@ -56,7 +57,7 @@ tl_status tl_pass_cull_again(tl_pass_context *context,
 /* In place of culling: every tile lists every light that has a range. */
 tl_status tl_pass_list_all(tl_pass_context *context, uint64_t *list_length, tl_error *err);
 
-/* Writes TL_BUFFER_RADIANCE. */
+/* Writes TL_BUFFER_RADIANCE, and TL_BUFFER_TIMES where the program is a timed one. */
 tl_status tl_pass_shade(tl_pass_context *context, double *ms, tl_error *err);
 
 /* Waits for the device, adds up the times of what was launched, and forgets the launches. To be

@@ -116,6 +116,12 @@ extern const tl_cause_row tl_cause_rows[TL_CAUSE_COUNT];
 /* The effects whose causes are all among `causes`: bits 1 << tl_effect. */
 uint32_t tl_effects_of(uint32_t causes);
 
+/* Those of the effects, given all causes there are, that a light with these causes among them calls for. */
+uint32_t tl_effects_of_light(uint32_t all_causes, uint32_t light_causes);
+
+/* Why an effect cannot be taken out by itself, after "it cannot be taken out alone: "; NULL: it can. */
+const char *tl_effect_bound(tl_effect effect);
+
 /* X(name, word on the command line, meaning) */
 #define TL_EFFECTS_MODES(X)                                                               \
     X(TL_EFFECTS_AUTO, "auto", "what the frame calls for")                                \
@@ -156,9 +162,11 @@ typedef struct tl_explanation {
     uint32_t effects; /* that are on, bits 1 << tl_effect */
     uint32_t causes;  /* that the frame has, bits 1 << tl_cause */
     uint32_t assumed; /* causes that TL_EFFECTS_ALL takes for there beside them */
-    uint32_t present; /* planes of the frame, bits 1 << plane */
-    uint32_t neutral; /* those that say nothing: tl_gbuffer.neutral */
-    uint32_t idle;    /* those that are not read */
+    uint32_t
+        without; /* effects taken out all the same, to see what they cost: another picture */
+    uint32_t present;                      /* planes of the frame, bits 1 << plane */
+    uint32_t neutral;                      /* those that say nothing: tl_gbuffer.neutral */
+    uint32_t idle;                         /* those that are not read */
     tl_some_lights lights[TL_CAUSE_COUNT]; /* of causes of lights */
     tl_some_lights idle_lights[TL_IDLE_LIGHT_COUNT]; /* add nothing; left out with AUTO */
 } tl_explanation;

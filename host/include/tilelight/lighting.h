@@ -119,7 +119,7 @@ typedef struct tl_lighting_options {
     uint32_t tile_size; /* px: 8, 16, 32 or 64 */
     uint32_t
         vector_width; /* lanes: 1, 4, 8 or 16; 0: what suits the device; the gpu path has 1 */
-    int keeps_tile_lights;   /* 1: for tl_lighting_tile_lights */
+    int keeps_tile_lights;   /* 1: for tl_lighting_tile_lights, tl_lighting_effect_use */
     tl_effects_mode effects; /* the picture is the same bit for bit */
     float light_cutoff; /* a light without a range ends where it gives this (lx); 0: never */
     uint64_t
@@ -134,10 +134,10 @@ tl_lighting_options tl_lighting_options_default(void);
 /* What a frame came to. */
 typedef struct tl_lighting_counts {
     uint32_t tile_count, global_light_count, ranged_light_count;
-    uint64_t list_length; /* (tile, light) pairs of all lists; global lights are not listed */
-    uint64_t pair_count;  /* (pixel, light) pairs that the lists stand for, padding included */
-    uint32_t band_count;  /* the frame was lit in this many parts, to fit memory_limit */
-    uint64_t device_bytes;   /* of the device's own buffers, at their largest */
+    uint64_t list_length;  /* (tile, light) pairs of all lists; global lights are not listed */
+    uint64_t pair_count;   /* (pixel, light) pairs that the lists stand for, padding included */
+    uint32_t band_count;   /* the frame was lit in this many parts, to fit memory_limit */
+    uint64_t device_bytes; /* of the device's own buffers, at their largest */
     double device_cull_ms, device_shade_ms; /* from profiling events; 0 on the CPU paths */
     double first_kernel_s; /* when the first kernel began, on tl_seconds' clock; 0: none ran */
     double shade_wall_ms;  /* shading as the host saw it */
@@ -181,6 +181,41 @@ void tl_lighting_explain(const tl_lighting *lighting, tl_explanation *out);
  * until the next frame; on the CPU paths, which have no lists, all of them. NULL unless the
  * options ask to keep it. */
 const uint32_t *tl_lighting_tile_lights(const tl_lighting *lighting);
+
+/* What of the last frame called for effects, tile by tile: kept as the number of lights is. */
+typedef struct tl_effect_use {
+    const uint32_t *
+        tiles; /* [tiles_y][tiles_x]: effects that listed lights call for, bits 1 << tl_effect */
+    uint64_t
+        pairs[TL_EFFECT_COUNT]; /* of a tile and a listed light that calls for the effect */
+    uint32_t global_lights[TL_EFFECT_COUNT]; /* that reach everything, and call for it */
+} tl_effect_use;
+
+/* Until the next frame. NULL unless the options ask to keep tiles' lights. */
+const tl_effect_use *tl_lighting_effect_use(const tl_lighting *lighting);
+
+/* Shades the last frame once more, from the lists that are there, by kernels that lack some of its effects
+ * (bits 1 << tl_effect): *ms is the device's time for that. *image, of the frame's size, becomes what they
+ * give, another picture where the frame has such an effect. gbuffer, lights: those of the last frame. Fails
+ * with TL_ERR_UNSUPPORTED on the CPU paths and where the frame was lit in bands, TL_ERR_DEVICE or
+ * TL_ERR_MEMORY. */
+tl_status tl_lighting_shade_without(tl_lighting *lighting,
+                                    const tl_gbuffer *gbuffer,
+                                    const tl_light_set *lights,
+                                    uint32_t effects,
+                                    tl_image *image,
+                                    double *ms,
+                                    tl_error *err);
+
+/* Shades the last frame once more, as it was, by kernels that look at a clock before and after each tile:
+ * us[tile] becomes how long a thread was at it, in microseconds. us: [tiles_y][tiles_x]. *image as above.
+ * Fails alike, and with TL_ERR_UNSUPPORTED where kernels cannot read a clock, or do not shade tiles (the gpu
+ * path, a user's kernel). */
+tl_status tl_lighting_time_tiles(tl_lighting *lighting,
+                                 const tl_gbuffer *gbuffer,
+                                 tl_image *image,
+                                 double *us,
+                                 tl_error *err);
 
 /* What the kernels of the last frame were built with, as the OpenCL compiler was given it; empty where
  * they were none, as on the CPU paths. text: [size], NUL-terminated, cut to fit. Cannot fail. */
