@@ -172,13 +172,15 @@ TL_INLINE received add_reflection(received sum,
     const meeting m = {l,
                        from.distance,
                        from.per_distance,
-                       cosine,
+                       pick(above, at_most_one(cosine), R(0.0)),
                        pick(above, from.weight, R(0.0)),
                        pick(above, from.weight * cosine, R(0.0))};
     const reflection r = reflection_of(needs, s, f, m);
     sum.diffuse = fma3(diffuse, r.diffuse, sum.diffuse);
     if (needs.specular)
         sum.specular = fma3(specular, r.specular, sum.specular);
+    if (needs.specular && some_lobe_has(needs, TL_LOBE_GRAZING))
+        sum.grazing = fma3(specular, r.grazing, sum.grazing);
     return sum;
 }
 

@@ -19,12 +19,24 @@ TL_STRUCT(phong_material)
     real shininess;         /* Blinn-Phong exponent, 0 to 10000 */
 };
 
+/* Roughness as artists see it, alpha its square; not below what no pixel would show. */
+TL_INLINE real alpha2_of_roughness(real roughness)
+{
+    const real alpha = roughness * roughness;
+    const real alpha2 = alpha * alpha;
+    return pick(alpha2 > TL_LEAST_ALPHA2, alpha2, TL_LEAST_ALPHA2);
+}
+
+/* The other way. */
+TL_INLINE real alpha2_of_exponent(real exponent)
+{
+    return R(2.0) / (exponent + R(2.0));
+}
+
 TL_INLINE phong_material phong_of_metal_rough(vec3 base, real metallic, real roughness)
 {
     const real dielectric = R(1.0) - metallic;
-    const real alpha = roughness * roughness;
-    const real alpha2 = alpha * alpha;
-    const real safe_alpha2 = pick(alpha2 > TL_LEAST_ALPHA2, alpha2, TL_LEAST_ALPHA2);
+    const real safe_alpha2 = alpha2_of_roughness(roughness);
     const phong_material m = {{base.x * dielectric, base.y * dielectric, base.z * dielectric},
                               {FMA(metallic, base.x - TL_DIELECTRIC, TL_DIELECTRIC),
                                FMA(metallic, base.y - TL_DIELECTRIC, TL_DIELECTRIC),

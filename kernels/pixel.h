@@ -22,7 +22,7 @@ surface_at(tl_needs needs, vec3 position, vec3 normal, real shininess, real spec
     s.position = position;
     s.normal = normal;
     s.to_eye = normal;
-    if (needs.specular)
+    if (needs.specular || some_lobe_has(needs, TL_LOBE_EYE))
         s.to_eye = direction_to_eye(needs, position);
     s.shininess = shininess;
     s.lobe_scale = shininess; /* a number at hand, so that none is read for it */
@@ -47,12 +47,16 @@ TL_INLINE real channel_of(tl_needs needs,
                           real diffuse_light,
                           real specular,
                           real specular_light,
+                          real f90,
+                          real grazing_light,
                           real ambient_light,
                           real emissive)
 {
     real radiance = diffuse * diffuse_light;
     if (needs.specular && !needs.one_color)
         radiance = FMA(specular, specular_light, radiance);
+    if (needs.specular && some_lobe_has(needs, TL_LOBE_GRAZING))
+        radiance = FMA(f90 - specular, grazing_light, radiance);
     if (needs.ambient)
         radiance = radiance + ambient_light;
     if (reads_planes(needs, TL_GROUP_EMISSIVE))
@@ -84,19 +88,29 @@ TL_INLINE vec3 lobe_color(tl_needs needs, substance m)
     return c;
 }
 
+/* What multiplies the diffuse light that it received. */
+TL_INLINE vec3 diffuse_color(tl_needs needs, substance m)
+{
+    if (!some_lobe_has(needs, TL_LOBE_BELOW))
+        return m.diffuse;
+    const vec3 below = {m.diffuse.x * m.below, m.diffuse.y * m.below, m.diffuse.z * m.below};
+    return pick3(lane_has(needs, m.model, TL_LOBE_BELOW), below, m.diffuse);
+}
+
 /* What leaves a pixel towards the eye; the sky's radiance where nothing was hit. */
 TL_INLINE vec3
 radiance_of(const tl_frame *frame, tl_needs needs, pixel of, substance m, received sum)
 {
-    const vec3 lobe = lobe_color(needs, m);
+    const vec3 lobe = lobe_color(needs, m), diffuse = diffuse_color(needs, m);
+    const real f90 = grazing_reflectance(m.specular);
     const vec3 lit = {
-        channel_of(needs, m.diffuse.x, sum.diffuse.x, lobe.x, sum.specular.x,
+        channel_of(needs, diffuse.x, sum.diffuse.x, lobe.x, sum.specular.x, f90, sum.grazing.x,
                    ambient_of(needs, of.albedo.x, frame->ambient[0], of.occlusion),
                    of.emissive.x),
-        channel_of(needs, m.diffuse.y, sum.diffuse.y, lobe.y, sum.specular.y,
+        channel_of(needs, diffuse.y, sum.diffuse.y, lobe.y, sum.specular.y, f90, sum.grazing.y,
                    ambient_of(needs, of.albedo.y, frame->ambient[1], of.occlusion),
                    of.emissive.y),
-        channel_of(needs, m.diffuse.z, sum.diffuse.z, lobe.z, sum.specular.z,
+        channel_of(needs, diffuse.z, sum.diffuse.z, lobe.z, sum.specular.z, f90, sum.grazing.z,
                    ambient_of(needs, of.albedo.z, frame->ambient[2], of.occlusion),
                    of.emissive.z)};
     const mask hit = of.depth < (real)INFINITY;

@@ -14,14 +14,23 @@ typedef struct surface {
 
 /* What models other than the plain ones take of it beside that, the same for all lights: finish.h. */
 typedef struct finish {
-    integer model; /* a row of models.h; reflects_by is what to ask */
+    integer model;   /* a row of models.h; reflects_by is what to ask */
+    real n_dot_v;    /* below 0 where the normal is turned from the eye */
+    real alpha2;     /* square of the lobe's width: metal-rough, Cook-Torrance */
+    real masking;    /* smith_root of n_dot_v: metal-rough */
+    real f90;        /* reflectance at grazing angles: metal-rough */
+    real flat, bent; /* A and B: Oren-Nayar */
+    real k;          /* Minnaert */
+    real per_wide2;  /* 1/alpha^2, of the wider axis: Ward */
+    real per_area;   /* 1/(4 ax ay): Ward */
+    vec3 sharp;      /* sharp_axis: Ward, where it is anisotropic */
 } finish;
 
 /* A light, as a surface meets it. */
 typedef struct meeting {
     vec3 l;                  /* from the surface to the light, m */
     real length, per_length; /* |l|, 1/|l| */
-    real cosine;             /* n.l, of unit vectors */
+    real cosine;             /* n.l, of unit vectors: 0 to 1, 0 in lanes that are not lit */
     real weight; /* what comes, of what the light's colour says; 0 in lanes that are not lit */
     real arriving; /* weight n.l */
 } meeting;
@@ -51,6 +60,18 @@ TL_INLINE mask reflects_by(tl_needs needs, integer model, tl_u32 which)
     if (has_one_model(needs)) /* a constant */
         return needs.model == which ? EVERY_LANE : NO_LANE;
     return model == (integer)which;
+}
+
+/* Lanes whose model is one of these, bits 1 << row. */
+TL_INLINE mask reflects_by_one_of(tl_needs needs, integer model, tl_u32 which)
+{
+    mask lanes = NO_LANE;
+#define TL_LANE_IS(name, word, traits, parameters, source) \
+    if (needs.models & which & 1u << name)                 \
+        lanes = lanes | reflects_by(needs, model, name);
+    TL_MODELS(TL_LANE_IS)
+#undef TL_LANE_IS
+    return lanes;
 }
 
 /* Lanes whose model has this. */

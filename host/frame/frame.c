@@ -116,18 +116,33 @@ static int has_two_colors(const tl_view_light *light)
     return memcmp(light->diffuse, light->specular, sizeof light->diffuse) != 0;
 }
 
+/* Kernels compute pi times what a surface reflects, so that white under 1 lx is 1. A model with units of
+ * its own has lights scaled for all of a frame's surfaces, whatever model some of them have. */
+static void scale_colours(tl_view_light *light, enum tl_shading_model model)
+{
+    static const double per_pi = 0.31830988618379067154;
+    if (!(traits_of(model) & TL_LOBE_RADIOMETRIC))
+        return;
+    for (int i = 0; i < 3; i++) {
+        light->diffuse[i] = (float)((double)light->diffuse[i] * per_pi);
+        light->specular[i] = (float)((double)light->specular[i] * per_pi);
+    }
+}
+
 /* Light `source` of the set, unless it adds nothing. */
 static void add(const tl_camera *camera,
                 const tl_light *light,
                 uint32_t source,
+                enum tl_shading_model model,
                 const tl_prepare_options *options,
                 tl_prepared *prepared)
 {
     tl_explanation *explanation = &prepared->explanation;
     const int global = is_global(light, options->light_cutoff);
-    const tl_view_light v = light->type == TL_LIGHT_DIRECTIONAL
-                                ? directional(camera, light)
-                                : point(camera, light, options->light_cutoff);
+    tl_view_light v = light->type == TL_LIGHT_DIRECTIONAL
+                          ? directional(camera, light)
+                          : point(camera, light, options->light_cutoff);
+    scale_colours(&v, model);
     const tl_view_spot spot = tl_spot_cone(camera, light);
     const int is_idle = tl_light_is_idle(explanation, &v, &spot, source, global);
     if (is_idle && options->effects != TL_EFFECTS_ALL)
@@ -153,7 +168,7 @@ static void collect(const tl_camera *camera,
 {
     for (size_t i = 0; i < lights->count; i++)
         if (is_global(&lights->lights[i], options->light_cutoff) == global)
-            add(camera, &lights->lights[i], (uint32_t)i, options, prepared);
+            add(camera, &lights->lights[i], (uint32_t)i, lights->model, options, prepared);
     if (global)
         prepared->frame.global_count = prepared->frame.light_count;
 }

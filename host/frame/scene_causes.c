@@ -48,6 +48,10 @@ tl_explanation tl_causes_of_frame(const tl_gbuffer *gbuffer,
         e.causes |= TL_BY(TL_CAUSE_MODEL);
     if (traits_of(lights->model) & TL_LOBE_SPECULAR)
         e.causes |= TL_BY(TL_CAUSE_SHINY);
+    if (traits_of(lights->model) & TL_LOBE_WIDTH)
+        e.causes |= TL_BY(TL_CAUSE_WIDTH);
+    if (traits_of(lights->model) & TL_LOBE_GRAZING)
+        e.causes |= TL_BY(TL_CAUSE_FRESNEL);
     if (gbuffer->camera.projection == TL_ORTHOGRAPHIC)
         e.causes |= TL_BY(TL_CAUSE_PARALLEL);
     return e;

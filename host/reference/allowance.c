@@ -23,25 +23,13 @@
  * faults are not. */
 #include "allowance.h"
 
-#include "lit_pixel.h"
+#include "rough_lobes.h"
 
-static const double U = 0x1p-24 * (1.0 + 0x1p-10);
 static const double least_square = 1e-30,
                     most_square = 1e37; /* squares float keeps, with room */
-static const double flushed = 0x1p-124; /* four operations, each flushed below 2^-126 */
-static const double division = 5.0, root = 6.0, power = 32.0; /* u */
 
 /* 1 / sqrt(a.a): dot product, half of 3u; root; division; and the product with it. */
 static const double unit_length = 1.5 + 6.0 + 5.0 + 1.0; /* u */
-
-typedef struct interval {
-    double low, high;
-} interval;
-
-static double clamp_low(double x)
-{
-    return x > 0.0 ? x : 0.0;
-}
 
 static double length_of(vec3 v)
 {
@@ -59,17 +47,6 @@ static double chord(double by, double length)
 {
     return by < length ? 2.0 * sin(0.5 * asin(by / length)) : 2.0;
 }
-
-/* A surface, and how far a kernel's may be from it. */
-typedef struct rough_surface {
-    surface exact;
-    double moved_x, moved_y; /* m; of the position. z is the depth, exact */
-    double normal_moved;     /* of the direction of the normal */
-    double eye_moved;        /* of to_eye, in any direction */
-    int is_lit;              /* 0: it has no normal, and no light reaches it */
-    int has_normal, has_eye; /* 0: its square leaves the range of float */
-    interval exponent;
-} rough_surface;
 
 /* x0 + column dx is the sum of two roundings, and the product with depth of one more. */
 static double moved_along(double ray, double step, double depth, int orthographic)
@@ -100,10 +77,18 @@ static interval exponent_of(tl_needs needs, double exponent)
     return (interval){clamp_low(exponent - error), exponent + error};
 }
 
+/* Its row of models.h. */
+static tl_u32 model_of(tl_needs needs, const substance *made)
+{
+    return has_one_model(needs) ? needs.model : (tl_u32)made->model;
+}
+
 static rough_surface rough_surface_of(
     const tl_prepared *prepared, pixel in, double exponent, uint32_t column, uint32_t row)
 {
     const tl_frame *frame = &prepared->frame;
+    const substance made = substance_of(frame, prepared->needs, in);
+    const tl_u32 model = model_of(prepared->needs, &made);
     const tl_rays rays = frame->rays;
     const int parallel = (int)prepared->needs.orthographic;
     const double step_x = column * (double)rays.dx, step_y = row * (double)rays.dy;
@@ -114,6 +99,10 @@ static rough_surface rough_surface_of(
     rough_surface r = {.exact = s,
                        .moved_x = moved_along(ray_x, step_x, in.depth, parallel),
                        .moved_y = moved_along(ray_y, step_y, in.depth, parallel),
+                       .made = made,
+                       .model = model,
+                       .traits = traits_of(model),
+                       .alpha2 = around(made.alpha2, 10.0 * U * made.alpha2),
                        .is_lit = world2 > 0.0,
                        .has_normal = keeps_square(world2),
                        .has_eye = parallel || keeps_square(eye2),
@@ -124,15 +113,6 @@ static rough_surface rough_surface_of(
         r.eye_moved = chord(hypot(r.moved_x, r.moved_y), sqrt(eye2)) + U * unit_length;
     return r;
 }
-
-/* The way to a light. A directional light has no position: l is its unit vector, as given. */
-typedef struct way {
-    vec3 l;
-    double l_moved;               /* m, in any direction */
-    double exact;                 /* m, |l| */
-    interval distance, distance2; /* as computed */
-    int may_reach, does_reach;
-} way;
 
 static interval distance2_of(double exact, double moved)
 {
@@ -248,14 +228,8 @@ static aperture aperture_of(tl_view_spot spot, const way *w)
     return (aperture){clamped_square(share), above > -off, above > off};
 }
 
-/* n.l / |l|. The directions of both move; the dot product rounds, 3u, and the parts of l where they
- * are divided first, u. Lengths scale it and cannot change its sign. */
-typedef struct incidence {
-    double exact;
-    interval cosine; /* 0 where n.l <= 0 */
-    int may_be_above, is_above;
-} incidence;
-
+/* The directions of both move; the dot product rounds, 3u, and the parts of l where they are divided
+ * first, u. Lengths scale it and cannot change its sign. */
 static incidence incidence_of(const rough_surface *s, const way *w)
 {
     const vec3 n = s->exact.normal;
@@ -274,106 +248,20 @@ static incidence incidence_of(const rough_surface *s, const way *w)
     return out;
 }
 
-/* cos^e by its logarithm, e ln cos, which falls with the angle. */
-static double log_of_power(double cosine, double exponent)
-{
-    return exponent > 0.0 ? exponent * log(cosine) : 0.0;
-}
-
-/* How far the logarithm may be off in the stable form, for exact n and h. Of s = sin, c = cos:
- *   near the peak  sin^2 is off by 9u s^2 for its squares and quotient, 4u s^2 for a division less
- *                  exact than IEEE's, 27u s^2 where h is made unit beforehand, and by (30u)^2 for
- *                  the length of n, which moves the part of h across n along n. The logarithm of
- *                  1 - sin^2 is steeper by 1/c^2.
- *   elsewhere      cos^2 is off by 27u for the length of n, 27u for that of h, 8u for its product
- *                  and quotient. (What rounds in n.h itself counts as a turn of h.)
- * Both branches meet at s^2 = 1/4; the second bound is the larger one there. Then log2 or log1p,
- * its factor, and the product with e/2: 14u of the logarithm; and the power itself. */
-static double stable_error(double cosine, double exponent, double log_power)
-{
-    const double sin2 = clamp_low(1.0 - cosine * cosine);
-    const double near_peak = (40.0 * sin2 + 900.0 * U) / (cosine * cosine);
-    const double of_square = sin2 < 0.2 ? near_peak : 62.0;
-    return U * (0.5 * exponent * of_square + 14.0 * -log_power + power);
-}
-
-/* pow(n.h, e): n.h is off by 3u for its sum, and by 27u + 6u of itself for lengths and quotient. */
-static interval textbook_power(interval cosine, interval exponent)
-{
-    const double low = clamp_low(cosine.low * (1.0 - 33.0 * U) - 3.0 * U);
-    const double high = cosine.high * (1.0 + 33.0 * U) + 3.0 * U;
-    const double low_exponent = high < 1.0 ? exponent.low : exponent.high;
-    return (interval){exp(log_of_power(low, exponent.high)) * (1.0 - power * U),
-                      exp(log_of_power(high, low_exponent)) * (1.0 + power * U)};
-}
-
-/* A power below 2^-63 is as good as 0: kernels/specular.h ends at 2^-64. */
-static const double floor_of_power = 0x1p-63;
-
-static interval stable_power(interval cosine, interval exponent)
-{
-    const double low = log_of_power(cosine.low, exponent.high);
-    const double high = log_of_power(cosine.high, exponent.low);
-    const double dim = exp(low - stable_error(cosine.low, exponent.high, low)) - floor_of_power;
-    const double bright =
-        exp(high + stable_error(cosine.high, exponent.low, high)) + floor_of_power;
-    const double most = 1.0 + power * U;
-    return (interval){cosine.low > 0.0 ? clamp_low(dim) : 0.0, bright < most ? bright : most};
-}
-
-/* The specular lobe. h = l + |l| v, or that divided by |l|: l moves, as a unit vector its length
- * errs by 13.5u; |l| is off by what the distance is; v moves; the products and sums round. The angle
- * between n and h is then known to within `turn`, and 3u more for the rounding of n.h. */
-static interval lobe_of(const rough_surface *s, const way *w, tl_cosine form)
-{
-    static const interval unknown = {0.0, 1.0 + 0x1p-18};
-    const surface *e = &s->exact;
-    const vec3 h = fma3(e->to_eye, w->exact, w->l);
-    const double length = length_of(h);
-    const double distance_off = fmax(w->distance.high - w->exact, w->exact - w->distance.low);
-    const double h_moved =
-        w->l_moved + distance_off + U * length + w->exact * (s->eye_moved + 8.0 * U);
-    if (!s->has_normal || !s->has_eye || !(h_moved < 0.5 * length) ||
-        !keeps_square(length * length))
-        return unknown;
-    const vec3 n = e->normal;
-    const vec3 cross = {n.y * h.z - n.z * h.y, n.z * h.x - n.x * h.z, n.x * h.y - n.y * h.x};
-    const double angle = atan2(length_of(cross), dot3(n, h));
-    const double turn = asin(h_moved / length) + s->normal_moved + 3.0 * U;
-    const double right = 2.0 * atan(1.0);
-    const interval cosine = {angle + turn < right ? cos(angle + turn) : 0.0,
-                             angle < turn           ? 1.0
-                             : angle - turn < right ? cos(angle - turn)
-                                                    : -1.0};
-    if (cosine.high < 0.0)
-        return (interval){0.0, 0.0};
-    return form == TL_COSINE_TEXTBOOK ? textbook_power(cosine, s->exponent)
-                                      : stable_power(cosine, s->exponent);
-}
-
 /* Light received by each lobe, per channel, not yet multiplied with what the surface reflects. */
 typedef struct rough_light {
-    interval diffuse[3], specular[3];
+    interval diffuse[3], specular[3], grazing[3];
     int may_add, is_certain;
     double n_dot_l, distance;
 } rough_light;
 
-/* Weight, cosine, colour: two products, and one more where a kernel multiplies the material in at
- * once. Where one colour multiplies both lobes, a kernel may add them before: a sum, and a product. */
-static interval product(tl_needs needs, interval a, interval b, double colour)
+/* Weight, what is reflected of it, colour: two products, and one more where a kernel multiplies the material
+ * in at once. Where one colour multiplies both lobes, a kernel may add them before: a sum, and a product. */
+static interval product(tl_u32 traits, interval a, interval b, double colour)
 {
-    const double roundings = lobe_has(needs, TL_LOBE_DIFFUSE) ? 5.0 : 3.0;
+    const double roundings = traits & TL_LOBE_PLAIN && !(traits & TL_LOBE_DIFFUSE) ? 3.0 : 5.0;
     return (interval){a.low * b.low * colour * (1.0 - roundings * U),
                       a.high * b.high * colour * (1.0 + roundings * U) + flushed * colour};
-}
-
-/* What the lobe's light is multiplied by: the weight, and where the model says so the cosine. */
-static interval shown_to_lobe(tl_needs needs, interval weight, interval cosine)
-{
-    if (!lobe_has(needs, TL_LOBE_COSINE))
-        return weight;
-    return (interval){weight.low * cosine.low * (1.0 - U),
-                      weight.high * cosine.high * (1.0 + U) + flushed};
 }
 
 static rough_light light_on(const tl_prepared *prepared,
@@ -392,21 +280,21 @@ static rough_light light_on(const tl_prepared *prepared,
     const aperture cone = aperture_of(prepared->spots[index], &w);
     if (!n_dot_l.may_be_above || !cone.may_pass)
         return out;
-    static const interval none = {0.0, 0.0};
     const interval falloff = weight_of(light, &w);
     const interval weight = {falloff.low * cone.share.low * (1.0 - U),
                              falloff.high * cone.share.high * (1.0 + U)};
-    const interval shown = shown_to_lobe(prepared->needs, weight, n_dot_l.cosine);
-    const interval lobe = prepared->needs.specular ? lobe_of(s, &w, form) : none;
+    const rough_reflection r =
+        tl_rough_reflection(s, &w, n_dot_l.cosine, (int)prepared->needs.specular, form);
     out.may_add = 1;
     out.is_certain = w.does_reach && cone.does_pass && n_dot_l.is_above;
     out.n_dot_l = n_dot_l.exact;
     for (int i = 0; i < 3; i++) {
-        out.diffuse[i] =
-            product(prepared->needs, weight, n_dot_l.cosine, (double)light.diffuse[i]);
-        out.specular[i] = product(prepared->needs, shown, lobe, (double)light.specular[i]);
+        const double diffuse = (double)light.diffuse[i], specular = (double)light.specular[i];
+        out.diffuse[i] = product(s->traits, weight, r.diffuse, diffuse);
+        out.specular[i] = product(s->traits, weight, r.specular, specular);
+        out.grazing[i] = product(s->traits, weight, r.grazing, specular);
         if (!out.is_certain)
-            out.diffuse[i].low = out.specular[i].low = 0.0;
+            out.diffuse[i].low = out.specular[i].low = out.grazing[i].low = 0.0;
     }
     return out;
 }
@@ -415,27 +303,21 @@ static rough_light light_on(const tl_prepared *prepared,
  * metallic), three of its parts and that of the constant. */
 typedef struct rough_material {
     interval diffuse[3], specular[3];
+    interval grazing[3]; /* F90 - F0 */
     double exponent;
 } rough_material;
 
-static interval around(double value, double error)
-{
-    return (interval){clamp_low(value - error), value + error};
-}
-
 /* (e + 2)/8, two roundings, and its product; the product with the diffuse colour. */
-static interval lobe_factors(tl_needs needs,
-                             double exponent,
-                             interval specular,
-                             interval diffuse)
+static interval lobe_factors(
+    tl_needs needs, tl_u32 traits, double exponent, interval specular, interval diffuse)
 {
     interval out = specular;
-    if (lobe_has(needs, TL_LOBE_ENERGY)) {
+    if (traits & TL_LOBE_ENERGY) {
         const interval e = exponent_of(needs, exponent);
         out.low *= (e.low + 2.0) / 8.0 * (1.0 - 3.0 * U);
         out.high *= (e.high + 2.0) / 8.0 * (1.0 + 3.0 * U);
     }
-    if (lobe_has(needs, TL_LOBE_DIFFUSE)) {
+    if (traits & TL_LOBE_DIFFUSE) {
         out.low *= diffuse.low * (1.0 - U);
         out.high *= diffuse.high * (1.0 + U);
     }
@@ -449,11 +331,20 @@ static rough_material rough_material_of(const tl_frame *frame, tl_needs needs, p
     const double specular[3] = {m.specular.x, m.specular.y, m.specular.z};
     const double base[3] = {in.albedo.x, in.albedo.y, in.albedo.z};
     const int mixed = (needs.present & TL_GROUP_METAL_ROUGH) != 0;
+    const tl_u32 traits = traits_of(model_of(needs, &m));
+    const interval f90 = tl_rough_f90(&m);
     rough_material out = {.exponent = m.shininess};
     for (int i = 0; i < 3; i++) {
         out.diffuse[i] = around(diffuse[i], mixed ? 2.0 * U * diffuse[i] : 0.0);
+        /* 1 - F0, which is off as F0 is, and by u. */
+        if (traits & TL_LOBE_BELOW)
+            out.diffuse[i] = times(out.diffuse[i], around(m.below, 6.0 * U));
+        const double f0_off = mixed ? 4.0 * U * (TL_DIELECTRIC + base[i] * in.metallic) : 0.0;
+        if (traits & TL_LOBE_GRAZING)
+            out.grazing[i] = (interval){clamp_low(f90.low - specular[i] - f0_off - U),
+                                        clamp_low(f90.high - specular[i] + f0_off + U)};
         out.specular[i] = lobe_factors(
-            needs, m.shininess,
+            needs, traits, m.shininess,
             around(specular[i],
                    mixed ? 4.0 * U * (TL_DIELECTRIC + base[i] * in.metallic) : 0.0),
             out.diffuse[i]);
@@ -481,9 +372,11 @@ static tl_allowance sky_of(const tl_frame *frame)
 static interval reflected(const rough_material *m, const rough_light *light, int i)
 {
     return (interval){m->diffuse[i].low * light->diffuse[i].low +
-                          m->specular[i].low * light->specular[i].low,
+                          m->specular[i].low * light->specular[i].low +
+                          m->grazing[i].low * light->grazing[i].low,
                       m->diffuse[i].high * light->diffuse[i].high +
-                          m->specular[i].high * light->specular[i].high};
+                          m->specular[i].high * light->specular[i].high +
+                          m->grazing[i].high * light->grazing[i].high};
 }
 
 /* Light that needs no light: albedo ambient occlusion, two roundings, and emission. */

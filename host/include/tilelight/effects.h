@@ -42,6 +42,8 @@ typedef enum tl_cause_kind {
     X(TL_CAUSE_SKY, TL_CAUSE_OF_FRAME, "colour of the sky")                                \
     X(TL_CAUSE_MODEL, TL_CAUSE_OF_FRAME, "shading model other than phong")                 \
     X(TL_CAUSE_SHINY, TL_CAUSE_OF_FRAME, "shading model with highlights")                  \
+    X(TL_CAUSE_WIDTH, TL_CAUSE_OF_FRAME, "shading model of rough surfaces")                \
+    X(TL_CAUSE_FRESNEL, TL_CAUSE_OF_FRAME, "shading model with Fresnel's reflectance")     \
     X(TL_CAUSE_ONE_COLOR, TL_CAUSE_OF_FRAME,                                               \
       "model that tints grey highlights, and lights of one colour each")                   \
     X(TL_CAUSE_PARALLEL, TL_CAUSE_OF_FRAME, "orthographic camera")
@@ -78,6 +80,11 @@ typedef enum tl_cause {
       TL_BY(TL_CAUSE_METAL_ROUGH), TL_HAS(TL_METALLIC), "TL_PRESENT")                          \
     X(TL_EFFECT_MODEL, "model", "how surfaces reflect, by another shading model",              \
       TL_BY(TL_CAUSE_MODEL), 0, "TL_MODEL")                                                    \
+    X(TL_EFFECT_WIDTH, "roughness", "lobes as wide as a surface is rough",                     \
+      TL_BY(TL_CAUSE_WIDTH), TL_HAS(TL_SHININESS) | TL_HAS(TL_ROUGHNESS), "TL_MODEL")          \
+    X(TL_EFFECT_FRESNEL, "fresnel", "more reflection at grazing angles, and less from below",  \
+      TL_BY(TL_CAUSE_FRESNEL) | TL_BY(TL_CAUSE_GLOSS),                                         \
+      TL_THREE(TL_SPECULAR_R) | TL_HAS(TL_METALLIC), "TL_MODEL")                               \
     X(TL_EFFECT_ONE_COLOR, "one-color", "both lobes in one sum", TL_BY(TL_CAUSE_ONE_COLOR), 0, \
       "TL_ONE_COLOR")                                                                          \
     X(TL_EFFECT_AMBIENT, "ambient", "ambient light on the albedo", TL_BY(TL_CAUSE_AMBIENT), 0, \

@@ -1,0 +1,73 @@
+/* Light, eye and the vector halfway between them, as microfacet models take them. */
+#ifndef TL_HALFWAY_H
+#define TL_HALFWAY_H
+
+#include "specular.h"
+#include "surface.h"
+
+/* With h = l + |l| v, |l| times as long as the sum of the unit vectors. Squares of cosine and sine of the
+ * angle between n and h are what specular.h derives; both stay finite where h vanishes, where `above` says
+ * that there is no lobe. */
+typedef struct halfway {
+    vec3 across;      /* the part of h across n */
+    real per_length2; /* 1/|h|^2 */
+    real cos2, sin2;  /* between n and h; 0 to 1 */
+    real n_dot_h;     /* of the long h */
+    real eye2;        /* (v.h)^2 of unit vectors, |h|^2 / (2 |l|)^2 */
+    mask above;       /* h is above the surface */
+} halfway;
+
+TL_INLINE real at_most_one(real v)
+{
+    return pick(v < R(1.0), v, R(1.0)); /* of NaN too */
+}
+
+/* What is no number comes of a point too near to the eye to have a direction to it. */
+TL_INLINE real a_cosine(real v)
+{
+    const real most = at_most_one(v);
+    return pick(most > R(-1.0), most, R(-1.0));
+}
+
+TL_INLINE halfway halfway_of(surface s, meeting m)
+{
+    const vec3 h = fma3(s.to_eye, m.length, m.l);
+    const real length2 = dot3(h, h);
+    halfway a;
+    a.per_length2 = R(1.0) / length2;
+    a.n_dot_h = dot3(s.normal, h);
+    a.across = fma3(s.normal, -a.n_dot_h, h);
+    a.cos2 = at_most_one(a.n_dot_h * a.n_dot_h * a.per_length2);
+    a.sin2 = at_most_one(dot3(a.across, a.across) * a.per_length2);
+    a.eye2 = at_most_one(R(0.25) * length2 * (m.per_length * m.per_length));
+    a.above = a.n_dot_h > R(0.0);
+    return a;
+}
+
+/* (1 - v.h)^5: Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", Computer Graphics Forum
+ * 13(3), 1994, equation 15. */
+TL_INLINE real schlick_weight(halfway a)
+{
+    const real away = R(1.0) - SQRT(a.eye2);
+    const real away2 = away * away;
+    return away2 * away2 * away;
+}
+
+/* exp(-x) by specular.h's power of two; 0 beyond 2^-64, so that what it is divided by is bounded where it
+ * counts. Off by 7u of itself and 1.5u x: the product rounds, and the constant. */
+TL_INLINE real exp_of_negative(real x)
+{
+    const real log2_of = x * R(-1.4426950408889634);
+    return pick(log2_of > R(-64.0), exp2_of_negative(log2_of), R(0.0));
+}
+
+/* exp(-tan^2/alpha^2) / cos^4, tan the tangent between n and h: what Beckmann's and Ward's distributions
+ * have in common. slope2: tan^2/alpha^2 times cos^2. cos^2 is above 1/45 where the power is not 0, alpha
+ * being 1 at most; it is kept above 0 elsewhere. */
+TL_INLINE real gaussian_slopes(halfway a, real slope2)
+{
+    const real cos2 = pick(a.cos2 > R(0x1p-20), a.cos2, R(0x1p-20));
+    return exp_of_negative(slope2 / cos2) / (cos2 * cos2);
+}
+
+#endif
