@@ -2,6 +2,7 @@
 #ifndef TL_PIXEL_H
 #define TL_PIXEL_H
 
+#include "brdf_row.h"
 #include "finish.h"
 #include "light.h"
 #include "position.h"

@@ -46,6 +46,8 @@ enum tl_plane { TL_PLANES(TL_PLANE_NAME) TL_PLANE_COUNT };
 #define TL_GROUP_BRDF TL_HAS(TL_BRDF)
 #define TL_GROUP_TANGENT TL_THREE(TL_TANGENT_X)
 
+#define TL_MAX_MATERIALS 255 /* indices of TL_BRDF beside 0 */
+
 /* How many planes of `present` stand before `plane`. */
 #ifdef __OPENCL_C_VERSION__
 #    define TL_SLOT(present, plane) popcount((present) & ((1u << (plane)) - 1u))

@@ -26,11 +26,12 @@ __kernel void shade_pixels(const tl_frame frame,
     const tl_needs needs = needs_of_build();
 
     const tl_layout layout = layout_of_build();
+    const tl_brdf_rows rows = rows_behind(&frame, lights);
     const tl_words words = load_words(&layout, planes, plane_size, at, frame.pitch);
-    const surface s = unpacked_surface(&frame, needs, &layout, &words, (scalar)column,
+    const surface s = unpacked_surface(&frame, needs, &layout, &words, rows, (scalar)column,
                                        (scalar)(frame.first_row + row));
     const pixel in = pixel_of(needs, &layout, &words, -s.position.z);
-    const substance m = substance_of(&frame, needs, in);
+    const substance m = substance_at(&frame, needs, in, rows);
     const finish f = finish_of(needs, s, m);
     received sum = nothing_received();
     if (in.depth < (real)INFINITY) {

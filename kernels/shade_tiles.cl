@@ -156,6 +156,7 @@ TL_INLINE void shade_tile(const tl_frame *frame,
     const size_t plane_size = (size_t)frame->rows * frame->pitch;
     const tl_layout layout = layout_of_build();
     const uint words_there = words_read(&layout, needs);
+    const tl_brdf_rows rows = rows_behind(frame, by.lights);
     surface surfaces[MOST_BLOCKS_OF_ROW];
 
     for (uint row = row0; row < row0 + frame->tile_size; row += BLOCK_ROWS) {
@@ -166,7 +167,7 @@ TL_INLINE void shade_tile(const tl_frame *frame,
             const tl_words words = load_some_words(&layout, words_there, planes, plane_size,
                                                    first + b * BLOCK_COLUMNS, frame->pitch);
             surfaces[b] =
-                unpacked_surface(frame, needs, &layout, &words, (scalar)column + LANE_COLUMN,
+                unpacked_surface(frame, needs, &layout, &words, rows, (scalar)column + LANE_COLUMN,
                                  (scalar)(frame->first_row + row) + LANE_ROW);
         }
         for (uint b = 0; b < blocks; b++) {
@@ -178,14 +179,15 @@ TL_INLINE void shade_tile(const tl_frame *frame,
                 const tl_words words =
                     load_some_words(&layout, words_there, planes, plane_size, at, frame->pitch);
                 const pixel in = pixel_of(needs, &layout, &words, -s.position.z);
-                f = finish_of(needs, s, substance_of(frame, needs, in));
+                f = finish_of(needs, s, substance_at(frame, needs, in, rows));
             }
             if (any_lane(s.position.z > (real)-INFINITY))
                 sum = lit_by(frame, needs, s, f, by);
             const tl_words words =
                 load_some_words(&layout, words_there, planes, plane_size, at, frame->pitch);
             const pixel in = pixel_of(needs, &layout, &words, -s.position.z);
-            const vec3 out = radiance_of(frame, needs, in, substance_of(frame, needs, in), sum);
+            const vec3 out =
+                radiance_of(frame, needs, in, substance_at(frame, needs, in, rows), sum);
             store_block(out.x, radiance + at, frame->pitch);
             store_block(out.y, radiance + plane_size + at, frame->pitch);
             store_block(out.z, radiance + 2 * plane_size + at, frame->pitch);

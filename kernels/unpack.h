@@ -150,11 +150,12 @@ TL_INLINE pixel pixel_of(tl_needs needs,
     return p;
 }
 
-/* How a packed pixel is lit. */
+/* How a packed pixel is lit. rows: brdf_row.h. */
 TL_INLINE surface unpacked_surface(const tl_frame *frame,
                                    tl_needs needs,
                                    const tl_layout *layout,
                                    const tl_words *words,
+                                   tl_brdf_rows rows,
                                    real column,
                                    real row)
 {
@@ -164,7 +165,7 @@ TL_INLINE surface unpacked_surface(const tl_frame *frame,
                       layout->normal_space == TL_NORMALS_IN_VIEW
                           ? unit3(in.normal)
                           : view_normal(frame, in.normal),
-                      substance_of(frame, needs, in).shininess, in.specular.x);
+                      substance_at(frame, needs, in, rows).shininess, in.specular.x);
 }
 
 #endif

@@ -14,6 +14,7 @@
 #define METAL (TL_GROUP_BASE | TL_GROUP_METAL_ROUGH)
 #define OCCLUSION (TL_GROUP_BASE | TL_GROUP_OCCLUSION)
 #define EMISSION (TL_GROUP_BASE | TL_GROUP_EMISSIVE)
+#define INDEXED (TL_GROUP_BASE | TL_GROUP_BRDF)
 #define ANY_LIGHT .intensity = 1.0f, .diffuse = 1.0f
 
 typedef struct lamp {
@@ -31,6 +32,10 @@ typedef struct scene {
     lamp lamps[2]; /* intensity 0 and no diffuse: no lamp */
     float ambient, sky;
     enum tl_shading_model model;
+    uint32_t
+        row; /* index that has a row of materials, of this model and specular colour; 0: none */
+    enum tl_shading_model row_model;
+    float row_specular;
     tl_projection projection;
     enum tl_layout_name layout;
     tl_effects_mode mode;
@@ -84,9 +89,13 @@ static const scene minimal[TL_EFFECT_COUNT] = {
                          .model = TL_MODEL_BLINN_PHONG_NORMALIZED, .effects = ON(MODEL)},
     [TL_EFFECT_WIDTH] = {"a model of rough surfaces", METAL, .model = TL_MODEL_OREN_NAYAR,
                          .effects = ON(METAL_ROUGH) | ON(MODEL) | ON(WIDTH)},
+    [TL_EFFECT_TANGENT] = {"tangents and a lobe with a direction",
+                           TL_GROUP_BASE | TL_GROUP_TANGENT, .model = TL_MODEL_WARD_ANISOTROPIC,
+                           .effects = ON(MODEL) | ON(WIDTH) | ON(TANGENT)},
     [TL_EFFECT_FRESNEL] = {"a model with Fresnel's reflectance, on metal", METAL,
                            .model = TL_MODEL_COOK_TORRANCE,
                            .effects = ON(METAL_ROUGH) | ON(MODEL) | ON(WIDTH) | ON(FRESNEL)},
+    [TL_EFFECT_ROWS] = {"a row of materials", INDEXED, .row = 3, .effects = ON(ROWS)},
     [TL_EFFECT_ONE_COLOR] = {"a white light, grey specular colours and a model that tints",
                              PHONG, .layout = TL_LAYOUT_ISPC,
                              .model = TL_MODEL_BLINN_PHONG_NORMALIZED,
@@ -112,6 +121,24 @@ static const scene others[] = {
      .lamps = {{ANY_LIGHT, .is_directional = 1, .specular = 1.0f}},
      .effects = ON(GLOBAL) | ON(DIRECTIONAL) | ON(MODEL),
      .needs = {.falloffs = FADE(NONE), .idle = TL_GROUP_PHONG}, .light_count = 1},
+    {"tangents and lobes that are round", TL_GROUP_BASE | TL_GROUP_TANGENT,
+     .model = TL_MODEL_WARD, .effects = ON(MODEL) | ON(WIDTH),
+     .needs = {.idle = TL_GROUP_TANGENT}},
+    {"indices without a row", INDEXED, .needs = {.idle = TL_GROUP_BRDF}},
+    {"a row without indices", TL_GROUP_BASE, .row = 3, .row_model = TL_MODEL_LAMBERT},
+    {"a row and indices of 0", INDEXED, .neutral = TL_GROUP_BRDF, .row = 3,
+     .row_model = TL_MODEL_LAMBERT, .needs = {.idle = TL_GROUP_BRDF}},
+    {"a row of another model", INDEXED, .row = 3, .row_model = TL_MODEL_LAMBERT,
+     .effects = ON(ROWS) | ON(MODEL)},
+    {"a row with a specular colour", INDEXED, .row = 3, .row_specular = 0.5f,
+     .lamps = {{ANY_LIGHT, .is_directional = 1, .specular = 1.0f}},
+     .effects = ON(GLOBAL) | ON(DIRECTIONAL) | ON(SPECULAR) | ON(ROWS),
+     .needs = {.falloffs = FADE(NONE), .specular = 1}, .light_count = 1},
+    {"rows, and a model that tints grey highlights", PHONG | TL_GROUP_BRDF, .row = 3,
+     .row_model = TL_MODEL_BLINN_PHONG_NORMALIZED, .model = TL_MODEL_BLINN_PHONG_NORMALIZED,
+     .lamps = {{ANY_LIGHT, .is_directional = 1, .specular = 1.0f}},
+     .effects = ON(GLOBAL) | ON(DIRECTIONAL) | ON(SPECULAR) | ON(MODEL) | ON(ROWS),
+     .needs = {.falloffs = FADE(NONE), .specular = 1}, .light_count = 1},
     {"occlusion without ambient light", OCCLUSION, .needs = {.idle = TL_GROUP_OCCLUSION}},
     {"neutral occlusion", OCCLUSION, .neutral = TL_GROUP_OCCLUSION, .ambient = 0.1f,
      .effects = ON(AMBIENT), .needs = {.ambient = 1, .idle = TL_GROUP_OCCLUSION}},
@@ -201,6 +228,14 @@ static tl_prepared prepared_of(const scene *s)
     lights.sky[2] = s->sky;
     for (size_t i = 0; i < COUNT_OF(s->lamps); i++)
         add_lamp(&lights, &s->lamps[i]);
+    if (s->row > 0) {
+        tl_material_row row = tl_material_row_default();
+        row.index = s->row;
+        row.model = s->row_model;
+        row.given = s->row_specular > 0.0f ? TL_TAKES_SPECULAR : 0;
+        row.specular[1] = s->row_specular;
+        ASSERT_OK(tl_light_set_add_material(&lights, &row, &err), err);
+    }
     ASSERT_OK(tl_prepare(g, &lights, &(tl_prepare_options){.tile_size = 16, .effects = s->mode},
                          NULL, &prepared, &err),
               err);
@@ -221,7 +256,8 @@ static void expect(const scene *s)
 {
     tl_prepared p = prepared_of(s);
     const tl_needs needs = {.present = s->present,
-                            .models = 1u << s->model,
+                            .models = 1u << s->model |
+                                      (s->effects & ON(ROWS) ? 1u << s->row_model : 0u),
                             .layout = s->layout,
                             .model = s->model,
                             .falloffs = s->needs.falloffs,
@@ -233,10 +269,11 @@ static void expect(const scene *s)
                             .idle = s->needs.idle};
     expect_effects(s, p.explanation.effects);
     if (memcmp(&p.needs, &needs, sizeof needs) != 0)
-        fail_msg("%s: kernels are built for something else: falloffs %x, spots %u, specular %u, "
-                 "ambient %u, orthographic %u, one_color %u, idle %x",
-                 s->name, p.needs.falloffs, p.needs.spots, p.needs.specular, p.needs.ambient,
-                 p.needs.orthographic, p.needs.one_color, p.needs.idle);
+        fail_msg(
+            "%s: kernels are built for something else: falloffs %x, spots %u, specular %u, "
+            "ambient %u, orthographic %u, one_color %u, idle %x",
+            s->name, p.needs.falloffs, p.needs.spots, p.needs.specular, p.needs.ambient,
+            p.needs.orthographic, p.needs.one_color, p.needs.idle);
     if (p.frame.light_count != s->light_count)
         fail_msg("%s: %u lights", s->name, p.frame.light_count);
     for (int i = 0; i < TL_IDLE_LIGHT_COUNT; i++)

@@ -15,6 +15,12 @@
     FILE_WITH("\"lights\": [ { \"type\": \"point\", \"position\": [0, 0, 0] }, { " fields \
               " } ]")
 
+#define ROWS(rows) FILE_WITH("\"materials\": [ " rows " ]")
+#define ROW(fields) ROWS("{ \"model\": \"phong\", " fields " }")
+#define LONG_NAME                                                                 \
+    "a name of more than a hundred and twenty-seven bytes, which is longer than " \
+    "any that a row can hold, and so cannot be compared with a capture's own"
+
 static const struct {
     const char *text;
     tl_status status;
@@ -85,7 +91,9 @@ static const struct {
     {FILE_WITH("\"ambient\": 0.1"), TL_ERR_FORMAT, {"\"ambient\"", "three numbers"}},
     {FILE_WITH("\"ambient\": [1, 2]"), TL_ERR_FORMAT, {"\"ambient\"", "three numbers"}},
     {FILE_WITH("\"sky\": [1, 2, 3]"), TL_ERR_FORMAT, {"\"sky\"", "object"}},
-    {FILE_WITH("\"materials\": \"phong\""), TL_ERR_FORMAT, {"\"materials\"", "object"}},
+    {FILE_WITH("\"materials\": \"phong\""), TL_ERR_FORMAT, {"\"materials\"", "array"}},
+    {FILE_WITH("\"model\": 1"), TL_ERR_FORMAT, {"\"model\"", "\"phong\""}},
+    {FILE_WITH("\"model\": \"gouraud\""), TL_ERR_FORMAT, {"\"gouraud\"", "\"lambert\""}},
     {FILE_WITH("\"materials\": { \"model\": 1 }"), TL_ERR_FORMAT, {"\"model\"", "phong"}},
     {LIGHT("\"type\": 1"), TL_ERR_FORMAT, {"\"type\"", "point"}},
     {LIGHT("\"type\": null"), TL_ERR_FORMAT, {"\"type\""}},
@@ -124,6 +132,40 @@ static const struct {
     {LIGHT("\"type\": \"directional\", \"direction\": [0, 0, 0]"),
      TL_ERR_FORMAT,
      {"\"direction\"", "length"}},
+    /* Rows of materials. */
+    {ROWS("3"), TL_ERR_FORMAT, {"materials[0]:", "object"}},
+    {ROWS("{ \"model\": \"gouraud\" }"), TL_ERR_FORMAT, {"materials[0]:", "\"gouraud\""}},
+    {ROW("\"shinines\": 3"),
+     TL_ERR_FORMAT,
+     {"materials[0]:", "\"shinines\"", "did you mean \"shininess\""}},
+    {ROWS("{}, { \"index\": 0 }"), TL_ERR_FORMAT, {"materials[1]:", "\"index\"", "1 to 255"}},
+    {ROW("\"index\": 256"), TL_ERR_FORMAT, {"materials[0]:", "\"index\"", "1 to 255"}},
+    {ROW("\"index\": 1.0"), TL_ERR_FORMAT, {"\"index\"", "whole number"}},
+    {ROW("\"index\": \"Gold\""), TL_ERR_FORMAT, {"\"index\"", "whole number"}},
+    {ROWS("{ \"index\": 2 }, {}"), TL_ERR_FORMAT, {"materials[1]:", "index 2", "materials[0]"}},
+    {ROWS("{ \"index\": 7 }, { \"index\": 9 }, { \"index\": 7 }"),
+     TL_ERR_FORMAT,
+     {"materials[2]:", "index 7", "materials[0]"}},
+    {ROWS("{ \"material\": \"Gold\" }, { \"material\": \"Gold\" }"),
+     TL_ERR_FORMAT,
+     {"materials[1] \"Gold\":", "materials[0]"}},
+    {ROW("\"index\": 1, \"material\": \"Gold\""),
+     TL_ERR_FORMAT,
+     {"materials[0] \"Gold\":", "exclude"}},
+    {ROW("\"material\": 1"), TL_ERR_FORMAT, {"\"material\"", "name"}},
+    {ROW("\"material\": \"\""), TL_ERR_FORMAT, {"\"material\"", "name"}},
+    {ROW("\"material\": \"" LONG_NAME "\""), TL_ERR_FORMAT, {"127 bytes", "\"index\""}},
+    {ROW("\"shininess\": 10001"), TL_ERR_FORMAT, {"materials[0]:", "shininess", "0 to 10000"}},
+    {ROW("\"specular\": [0, 1.5, 0]"), TL_ERR_FORMAT, {"\"specular\"", "1.5", "0 to 1"}},
+    {ROW("\"diffuse\": 0.5"), TL_ERR_FORMAT, {"\"diffuse\"", "three numbers"}},
+    {ROW("\"diffuse\": [0, -1, 0]"), TL_ERR_FORMAT, {"\"diffuse\"", "-1"}},
+    {ROWS("{ \"model\": \"lambert\", \"specular\": [1, 1, 1] }"),
+     TL_ERR_FORMAT,
+     {"materials[0]:", "lambert takes no \"specular\""}},
+    {FILE_WITH("\"materials\": [ { \"shininess\": 5 } ], \"model\": \"lambert\""),
+     TL_ERR_FORMAT,
+     {"materials[0]:", "lambert takes no \"shininess\""}},
+
     {FILE_WITH("\"ambient\": [-1, 0, 0]"), TL_ERR_FORMAT, {"ambient"}},
     {FILE_WITH("\"sky\": { \"type\": \"constant\", \"color\": [0, 0, 1e38] }"),
      TL_ERR_FORMAT,
@@ -181,6 +223,31 @@ static void deep_nesting(void **state)
     assert_refused("deep", tl_lights_parse(text, depth, "deep.json", &set, &err), TL_ERR_FORMAT,
                    &err, words);
     free(text);
+}
+
+/* Of 256 rows, whatever is in them. */
+static void more_rows_than_indices(void **state)
+{
+    static const char *const words[] = {"256 materials", "255 at most", NULL};
+    (void)state;
+    tl_error err;
+    for (int count = 255; count <= 256; count++) {
+        tl_light_set set = {0};
+        char *text = malloc(4096), *end = text;
+        assert_non_null(text);
+        end += sprintf(end, "{ \"tilelight\": 1, \"materials\": [ {}");
+        for (int i = 1; i < count; i++)
+            end += sprintf(end, ", {}");
+        end += sprintf(end, " ] }");
+        const tl_status status =
+            tl_lights_parse(text, (size_t)(end - text), "rows.json", &set, &err);
+        if (count == 255)
+            ASSERT_OK(status, err);
+        else
+            assert_refused("rows", status, TL_ERR_FORMAT, &err, words);
+        tl_light_set_clear(&set);
+        free(text);
+    }
 }
 
 static void too_large(void **state)
@@ -243,9 +310,13 @@ static void files_that_are_none(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_wrong_is_named), cmocka_unit_test(truncations_are_refused),
-        cmocka_unit_test(deep_nesting),           cmocka_unit_test(too_large),
-        cmocka_unit_test(too_many_to_write),      cmocka_unit_test(files_that_are_none),
+        cmocka_unit_test(what_is_wrong_is_named),
+        cmocka_unit_test(truncations_are_refused),
+        cmocka_unit_test(deep_nesting),
+        cmocka_unit_test(more_rows_than_indices),
+        cmocka_unit_test(too_large),
+        cmocka_unit_test(too_many_to_write),
+        cmocka_unit_test(files_that_are_none),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,6 +2,7 @@
  * says? */
 #include "file_cases.h"
 
+#include "material_rows.h"
 #include "tilelight/lights.h"
 
 #include <float.h>
@@ -71,6 +72,13 @@ static void assert_same_lights(const tl_light_set *a, const tl_light_set *b)
     assert_memory_equal(a->ambient, b->ambient, sizeof a->ambient);
     assert_memory_equal(a->sky, b->sky, sizeof a->sky);
     assert_int_equal(a->model, b->model);
+    assert_int_equal(a->material_count, b->material_count);
+    for (size_t i = 0; i < a->material_count; i++) {
+        const tl_material_row *x = &a->materials[i], *y = &b->materials[i];
+        assert_string_equal(x->material, y->material);
+        assert_int_equal(x->material[0] ? 0 : x->index, y->material[0] ? 0 : y->index);
+        assert_memory_equal(&x->model, &y->model, sizeof *x - offsetof(tl_material_row, model));
+    }
     for (size_t i = 0; i < a->count; i++) {
         assert_string_equal(a->lights[i].name, b->lights[i].name);
         if (memcmp(&a->lights[i], &b->lights[i], offsetof(tl_light, name)) != 0)
@@ -96,6 +104,83 @@ static void bit_for_bit(void **state)
     assert_same_lights(&back, &set);
     free(text);
     tl_light_set_clear(&back);
+    tl_light_set_clear(&set);
+}
+
+static float next_share(uint32_t *random)
+{
+    return (float)(next_random(random) >> 8) * 0x1p-24f;
+}
+
+/* What the model takes, each with a chance of one half; 255 rows. */
+static void every_row_of_materials(void **state)
+{
+    (void)state;
+    tl_error err;
+    tl_light_set set = {0}, back = {0};
+    uint32_t random = 3;
+    char *text = NULL;
+    for (uint32_t i = 0; i < 255; i++) {
+        tl_material_row row = tl_material_row_default();
+        float *const floats[] = {row.diffuse, row.specular, row.direction};
+        row.model = (enum tl_shading_model)(i % TL_MODEL_COUNT);
+        row.given = tl_model_takes(row.model) & next_random(&random) >> 8;
+        row.index = 255 - i;
+        if (i % 3 == 0)
+            snprintf(row.material, sizeof row.material, "%u \"\xc3\xa4\"%.*s", i,
+                     i == 0 ? 110 : 0,
+                     "0123456789012345678901234567890123456789012345678901234567890123456789"
+                     "0123456789012345678901234567890123456789");
+        for (int k = 0; k < 3; k++)
+            for (int axis = 0; axis < 3; axis++)
+                if (row.given & (uint32_t)(k == 0   ? TL_TAKES_DIFFUSE
+                                           : k == 1 ? TL_TAKES_SPECULAR
+                                                    : TL_TAKES_DIRECTION))
+                    floats[k][axis] = next_share(&random);
+        if (row.given & TL_TAKES_EXPONENT)
+            row.exponent = 1e4f * next_share(&random);
+        if (row.given & TL_TAKES_ROUGHNESS)
+            row.roughness = next_share(&random);
+        if (row.given & TL_TAKES_ACROSS)
+            row.across = next_share(&random);
+        if (row.given & TL_TAKES_K)
+            row.k = 3.0f * next_share(&random);
+        ASSERT_OK(tl_light_set_add_material(&set, &row, &err), err);
+    }
+    ASSERT_OK(tl_lights_format(&set, &text, &err), err);
+    ASSERT_OK(tl_lights_parse(text, strlen(text), "text", &back, &err), err);
+    assert_same_lights(&back, &set);
+    free(text);
+    tl_light_set_clear(&back);
+    tl_light_set_clear(&set);
+}
+
+/* Rows by hand: indices by position and given, the set's model where none is named, whichever comes first. */
+static void rows_mean_what_they_say(void **state)
+{
+    static const char text[] =
+        "{ \"tilelight\": 1, \"materials\": [\n"
+        "    { \"shininess\": 30, \"specular\": [0.25, 0.5, 1] },\n"
+        "    { \"index\": 9, \"model\": \"lambert\", \"diffuse\": [0, 0.5, 0] },\n"
+        "    { \"material\": \"Gold\" } ],\n"
+        "  \"model\": \"blinn-phong-normalized\" }";
+    (void)state;
+    tl_error err;
+    tl_light_set set = {0};
+    ASSERT_OK(tl_lights_parse(text, sizeof text - 1, "text", &set, &err), err);
+    assert_int_equal(set.model, TL_MODEL_BLINN_PHONG_NORMALIZED);
+    assert_int_equal(set.material_count, 3);
+    const tl_material_row *row = set.materials;
+    assert_int_equal(row[0].index, 1);
+    assert_int_equal(row[0].model, TL_MODEL_BLINN_PHONG_NORMALIZED);
+    assert_int_equal(row[0].given, TL_TAKES_EXPONENT | TL_TAKES_SPECULAR);
+    assert_true(same_bits(row[0].exponent, 30.0f));
+    assert_true(same_bits(row[0].specular[0], 0.25f) && same_bits(row[0].specular[2], 1.0f));
+    assert_int_equal(row[1].index, 9);
+    assert_int_equal(row[1].model, TL_MODEL_LAMBERT);
+    assert_int_equal(row[1].given, TL_TAKES_DIFFUSE);
+    assert_string_equal(row[2].material, "Gold");
+    assert_int_equal(row[2].given, 0);
     tl_light_set_clear(&set);
 }
 
@@ -212,9 +297,13 @@ static void through_a_file(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bit_for_bit),    cmocka_unit_test(negative_zero),
-        cmocka_unit_test(cut_names),      cmocka_unit_test(meaning),
+        cmocka_unit_test(bit_for_bit),
+        cmocka_unit_test(negative_zero),
+        cmocka_unit_test(cut_names),
+        cmocka_unit_test(meaning),
         cmocka_unit_test(through_a_file),
+        cmocka_unit_test(every_row_of_materials),
+        cmocka_unit_test(rows_mean_what_they_say),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -42,7 +42,7 @@ static results results_of(tl_needs needs, const tl_words *words)
     const tl_layout *layout = &tl_layouts[needs.layout];
     const received light = {{1, 2, 3}, {3, 2, 1}, {0, 0, 0}};
     const vec3 p = position_of(&frame, needs, layout, words, 17, 4);
-    const surface s = unpacked_surface(&frame, needs, layout, words, 17, 4);
+    const surface s = unpacked_surface(&frame, needs, layout, words, NULL, 17, 4);
     const pixel in = pixel_of(needs, layout, words, 5.0f);
     const vec3 out = radiance_of(&frame, needs, in, substance_of(&frame, needs, in), light);
     return (results){

@@ -91,6 +91,8 @@ tl_status tl_baseline_check(const tl_needs *needs,
 {
     if (!(models >> needs->model & 1u))
         return tl_fail(err, TL_ERR_UNSUPPORTED, "knows the shading model phong alone");
+    if (reads_planes(*needs, TL_GROUP_BRDF))
+        return tl_fail(err, TL_ERR_UNSUPPORTED, "knows no rows of materials");
     if (needs->spots)
         return tl_fail(err, TL_ERR_UNSUPPORTED, "knows no spot lights");
     if (needs->falloffs & ~falloffs)

@@ -1,5 +1,6 @@
 #include "explain_text.h"
 
+#include "brdf_table.h"
 #include "explain_costs.h"
 #include "light_fields.h"
 #include "printable.h"
@@ -31,6 +32,8 @@ static const struct {
     {"roughness", TL_HAS(TL_ROUGHNESS), "0"},
     {"ao", TL_GROUP_OCCLUSION, "1"},
     {"emissive", TL_GROUP_EMISSIVE, "black"},
+    {"brdf", TL_GROUP_BRDF, "0"},
+    {"tangent", TL_GROUP_TANGENT, "0"},
 };
 
 /* Appends to text, [MOST_TEXT], and cuts what does not fit. */
@@ -91,6 +94,7 @@ static uint32_t planes_of(tl_cause cause)
     case TL_CAUSE_METAL_ROUGH: return TL_GROUP_METAL_ROUGH;
     case TL_CAUSE_OCCLUSION: return TL_GROUP_OCCLUSION;
     case TL_CAUSE_EMISSION: return TL_GROUP_EMISSIVE;
+    case TL_CAUSE_TANGENT: return TL_GROUP_TANGENT;
     default: return 0;
     }
 }
@@ -100,12 +104,52 @@ static void add_color(char *text, const char *what, const float color[3])
     add(text, "%s %.3g %.3g %.3g", what, (double)color[0], (double)color[1], (double)color[2]);
 }
 
+/* A row of materials, by what it is for. */
+static void add_row(char *text, const tl_material_row *row)
+{
+    if (row->material[0])
+        add_name(text, row->material);
+    else
+        add(text, " index %" PRIu32, row->index);
+}
+
+/* Rows that surfaces have, each once, and what they reflect by. */
+static void add_rows(char *text, const job *j, const tl_brdf_table *table)
+{
+    const char *before = "";
+    for (size_t row = 0; row < j->lights.material_count; row++)
+        for (int i = 0; i < TL_BRDF_COUNT; i++)
+            if (table->occurs[i] && table->sources[i] == (int)row) {
+                add(text, "%smaterial", before);
+                add_row(text, &j->lights.materials[row]);
+                add(text, " by %s", tl_model_words[j->lights.materials[row].model]);
+                before = ", ";
+                break;
+            }
+}
+
+/* Models that surfaces have, beside phong; the frame's own where some have no row. */
+static void add_models(char *text, const tl_brdf_table *table)
+{
+    const char *before = "";
+    for (int model = 0; model < TL_MODEL_COUNT; model++)
+        if (model != TL_MODEL_PHONG && (table->models >> model & 1u)) {
+            add(text, "%s%s", before[0] ? before : "shading model ", tl_model_words[model]);
+            before = ", ";
+        }
+}
+
 static void add_setting(char *text, const job *j, tl_cause cause)
 {
+    tl_brdf_table table;
+    tl_error unlikely; /* it has lit the frame */
+    if (tl_brdf_table_make(j->gbuffer, &j->lights, &table, &unlikely) != TL_OK)
+        return;
     switch (cause) {
     case TL_CAUSE_AMBIENT: add_color(text, "ambient light", j->lights.ambient); return;
     case TL_CAUSE_SKY: add_color(text, "sky", j->lights.sky); return;
-    case TL_CAUSE_MODEL: add(text, "shading model %s", tl_model_words[j->lights.model]); return;
+    case TL_CAUSE_MODEL: add_models(text, &table); return;
+    case TL_CAUSE_ROWS: add_rows(text, j, &table); return;
     default: add(text, "%s", tl_cause_rows[cause].what); return;
     }
 }
@@ -121,7 +165,10 @@ static void add_cause(char *text, const job *j, const explained *e, tl_cause cau
     case TL_CAUSE_OF_LIGHTS: add_lights(text, j, e->of.lights[cause]); return;
     case TL_CAUSE_OF_PLANES:
         explain_planes(e->of.present & planes_of(cause), planes, sizeof planes);
-        add(text, "plane%s %s", strchr(planes, ',') ? "s" : "", planes);
+        if (!planes[0])
+            add(text, "rows of materials");
+        else
+            add(text, "plane%s %s", strchr(planes, ',') ? "s" : "", planes);
         return;
     case TL_CAUSE_OF_FRAME: add_setting(text, j, cause); return;
     }

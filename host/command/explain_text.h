@@ -11,7 +11,7 @@ void explain_print(const job *j, const explained *e);
 json_t *explain_as_json(const job *j, const explained *e);
 
 /* A word for each attribute beside depth, normal and albedo; NULL where it has none of `planes`. */
-enum { EXPLAIN_PLANE_WORDS = 6 };
+enum { EXPLAIN_PLANE_WORDS = 8 };
 const char *explain_plane_word(int index, uint32_t planes);
 
 /* Those of these planes, ", " between. text: [size]. */

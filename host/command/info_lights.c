@@ -1,6 +1,7 @@
 #include "info.h"
 #include "json_values.h"
 #include "light_fields.h"
+#include "material_rows.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -36,12 +37,62 @@ static type_info type_info_of(const tl_light_set *set, tl_light_type type)
     return out;
 }
 
+static void print_row(const tl_material_row *row, const char *heading)
+{
+    printf("%-12s", heading);
+    if (row->material[0])
+        info_print_text(row->material, 0);
+    else
+        printf("index %u", row->index);
+    printf(": %s", tl_model_words[row->model]);
+    for (size_t i = 0; i < TL_MATERIAL_FIELD_COUNT; i++) {
+        const tl_material_field *field = &tl_material_fields[i];
+        const float *values = tl_material_values(row, field);
+        if (!(row->given & field->parameter))
+            continue;
+        printf(", %s %.6g", field->name, (double)values[0]);
+        for (uint32_t k = 1; k < field->count; k++)
+            printf(" %.6g", (double)values[k]);
+    }
+    putchar('\n');
+}
+
+/* As a lights file has it. */
+static json_t *row_json(const tl_material_row *row)
+{
+    json_t *out = json_object();
+    if (row->material[0])
+        json_object_set_new(out, "material", json_string(row->material));
+    else
+        json_object_set_new(out, "index", json_integer(row->index));
+    json_object_set_new(out, "model", json_string(tl_model_words[row->model]));
+    for (size_t i = 0; i < TL_MATERIAL_FIELD_COUNT; i++) {
+        const tl_material_field *field = &tl_material_fields[i];
+        const float *values = tl_material_values(row, field);
+        if (row->given & field->parameter)
+            json_object_set_new(out, field->name,
+                                field->count == 3 ? tl_json_numbers(values, 3)
+                                                  : tl_json_number((double)*values));
+    }
+    return out;
+}
+
+static json_t *rows_json(const tl_light_set *set)
+{
+    json_t *out = json_array();
+    for (size_t i = 0; i < set->material_count; i++)
+        json_array_append_new(out, row_json(&set->materials[i]));
+    return out;
+}
+
 void info_print_lights(const tl_light_set *set)
 {
     printf("lights      %zu, ambient (%.6g, %.6g, %.6g), sky (%.6g, %.6g, %.6g)\n", set->count,
            (double)set->ambient[0], (double)set->ambient[1], (double)set->ambient[2],
            (double)set->sky[0], (double)set->sky[1], (double)set->sky[2]);
     printf("model       %s\n", tl_model_words[set->model]);
+    for (size_t i = 0; i < set->material_count; i++)
+        print_row(&set->materials[i], i == 0 ? "materials" : "");
     for (tl_light_type type = 0; type < TL_LIGHT_TYPE_COUNT; type++) {
         const type_info info = type_info_of(set, type);
         if (info.count == 0)
@@ -76,7 +127,8 @@ json_t *info_lights_json(const tl_light_set *set)
         if (info.count > 0)
             json_object_set_new(types, type_words[type], type_json(&info));
     }
-    return json_pack("{sI so so ss so}", "count", (json_int_t)set->count, "ambient",
+    return json_pack("{sI so so ss so so}", "count", (json_int_t)set->count, "ambient",
                      tl_json_numbers(set->ambient, 3), "sky", tl_json_numbers(set->sky, 3),
-                     "model", tl_model_words[set->model], "types", types);
+                     "model", tl_model_words[set->model], "materials", rows_json(set), "types",
+                     types);
 }

@@ -94,11 +94,13 @@ static tl_status run(job *j, const render_options *options, tl_device **device, 
 {
     tl_status status = TL_OK;
     explained told = {.asked = &options->explain};
+    tl_capture_options capture = options->capture;
     TRY(picture_check(&options->pictures, options->scene, err));
     TRY(explain_check(&options->explain, options->scene, err));
     TRY(job_begin(j, &options->report, err));
     TRY(job_prepare_light(j, &options->lighting, device, err));
-    TRY(job_capture(j, options->scene, &options->capture, options->lighting.strict, err));
+    capture.materials |= j->lights.material_count > 0;
+    TRY(job_capture(j, options->scene, &capture, options->lighting.strict, err));
     TRY(scatter(j, options->scatter_count, err));
     TRY(job_light(j, &options->lighting, *device,
                   explain_wanted(&options->explain) ? &told : NULL, err));

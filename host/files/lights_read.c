@@ -2,6 +2,7 @@
 
 #include "light_fields.h"
 #include "light_values.h"
+#include "material_rows_read.h"
 #include "try.h"
 #include "whole_file.h"
 
@@ -237,27 +238,23 @@ static tl_status read_version(const tl_place *at,
     return TL_OK;
 }
 
-static tl_status read_materials(const tl_place *at,
-                                json_t *materials,
-                                tl_light_set *set,
-                                tl_error *err)
+static tl_status read_model(const tl_place *at, json_t *value, tl_light_set *set, tl_error *err)
 {
-    static const char *const words[] = {"model"};
-    tl_status status = TL_OK;
-    const tl_place inside = {.source = at->source, .inside = " materials:"};
-    const char *key;
-    json_t *value;
     int index = set->model;
-    if (!json_is_object(materials))
-        TRY(tl_fail(err, TL_ERR_FORMAT, "%s: \"materials\" must be an object", at->source));
-    json_object_foreach(materials, key, value) if (strcmp(key, "model") != 0)
-        TRY(tl_unknown_field(&inside, key, words, 1, err));
-    value = json_object_get(materials, "model");
-    if (value)
-        TRY(tl_read_word(&inside, "model", value, tl_model_words, TL_MODEL_COUNT, &index, err));
+    const tl_status status =
+        tl_read_word(at, "model", value, tl_model_words, TL_MODEL_COUNT, &index, err);
     set->model = (enum tl_shading_model)index;
-done:
     return status;
+}
+
+/* Once the rest is read: rows that name no model have the set's. */
+static tl_status read_later(const tl_place *at, json_t *value, tl_light_set *set, tl_error *err)
+{
+    (void)at;
+    (void)value;
+    (void)set;
+    (void)err;
+    return TL_OK;
 }
 
 static tl_status read_top(const char *source, json_t *root, tl_light_set *set, tl_error *err)
@@ -265,11 +262,9 @@ static tl_status read_top(const char *source, json_t *root, tl_light_set *set, t
     static const struct {
         const char *name;
         tl_status (*read)(const tl_place *at, json_t *value, tl_light_set *set, tl_error *err);
-    } members[] = {{"tilelight", read_version},
-                   {"ambient", read_ambient},
-                   {"sky", read_sky},
-                   {"lights", read_lights},
-                   {"materials", read_materials}};
+    } members[] = {{"tilelight", read_version}, {"ambient", read_ambient},
+                   {"sky", read_sky},           {"lights", read_lights},
+                   {"model", read_model},       {"materials", read_later}};
     enum { MEMBER_COUNT = sizeof members / sizeof members[0] };
     tl_status status = TL_OK;
     const tl_place at = {.source = source};
@@ -293,6 +288,9 @@ static tl_status read_top(const char *source, json_t *root, tl_light_set *set, t
             TRY(tl_unknown_field(&at, key, words, MEMBER_COUNT, err));
         TRY(members[i].read(&at, value, set, err));
     }
+    value = json_object_get(root, "materials");
+    if (value)
+        TRY(tl_read_materials(&at, value, set, err));
 done:
     return status;
 }

@@ -2,6 +2,7 @@
 #include "tilelight/lights.h"
 
 #include "light_fields.h"
+#include "material_rows.h"
 #include "whole_file.h"
 
 #include <float.h>
@@ -88,15 +89,53 @@ static void print_light(FILE *out, const tl_light *light)
     fputs(" }", out);
 }
 
+static void print_row(FILE *out, const tl_material_row *row)
+{
+    fputs("    { ", out);
+    if (row->material[0]) {
+        fputs("\"material\": ", out);
+        print_name(out, row->material);
+    } else {
+        fprintf(out, "\"index\": %u", row->index);
+    }
+    fprintf(out, ", \"model\": \"%s\"", tl_model_words[row->model]);
+    for (size_t i = 0; i < TL_MATERIAL_FIELD_COUNT; i++) {
+        const tl_material_field *field = &tl_material_fields[i];
+        const float *values = tl_material_values(row, field);
+        if (!(row->given & field->parameter))
+            continue;
+        fprintf(out, ", \"%s\": ", field->name);
+        if (field->count == 3)
+            print_vector(out, values);
+        else
+            print_number(out, *values);
+    }
+    fputs(" }", out);
+}
+
+static void print_materials(FILE *out, const tl_light_set *set)
+{
+    if (set->material_count > 0)
+        fputs(",\n  \"materials\": [", out);
+    for (size_t i = 0; i < set->material_count; i++) {
+        fputs(i == 0 ? "\n" : ",\n", out);
+        print_row(out, &set->materials[i]);
+    }
+    if (set->material_count > 0)
+        fputs("\n  ]", out);
+}
+
 static void print_set(FILE *out, const tl_light_set *set)
 {
     fputs("{ \"tilelight\": 1,\n  \"ambient\": ", out);
     print_vector(out, set->ambient);
     fputs(",\n  \"sky\": { \"type\": \"constant\", \"color\": ", out);
     print_vector(out, set->sky);
+    fputs(" }", out);
     if (set->model != (enum tl_shading_model)0)
-        fprintf(out, " },\n  \"materials\": { \"model\": \"%s\"", tl_model_words[set->model]);
-    fputs(" },\n  \"lights\": [", out);
+        fprintf(out, ",\n  \"model\": \"%s\"", tl_model_words[set->model]);
+    print_materials(out, set);
+    fputs(",\n  \"lights\": [", out);
     for (size_t i = 0; i < set->count; i++) {
         fputs(i == 0 ? "\n" : ",\n", out);
         print_light(out, &set->lights[i]);

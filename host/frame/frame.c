@@ -1,11 +1,13 @@
 #include "prepared.h"
 
+#include "brdf_table.h"
 #include "falloff.h"
 #include "layout.h"
 #include "scene_causes.h"
 #include "sections.h"
 #include "spot_cone.h"
 #include "tile_choices.h"
+#include "try.h"
 #include "view.h"
 
 #include <float.h>
@@ -103,8 +105,8 @@ static int is_global(const tl_light *light, float cutoff)
 static int has_one_color(const tl_prepared *prepared)
 {
     const tl_needs *needs = &prepared->needs;
-    if (!needs->specular || !lobe_has(*needs, TL_LOBE_DIFFUSE) ||
-        !lobe_has(*needs, TL_LOBE_COSINE) ||
+    if (reads_planes(*needs, TL_GROUP_BRDF) || !needs->specular ||
+        !lobe_has(*needs, TL_LOBE_DIFFUSE) || !lobe_has(*needs, TL_LOBE_COSINE) ||
         tl_layouts[needs->layout].specular.code != TL_COLOR_GRAY ||
         !(needs->present & TL_GROUP_PHONG))
         return 0;
@@ -244,6 +246,34 @@ static tl_status reserve_lights(tl_prepared *prepared, size_t count, tl_error *e
     return status;
 }
 
+static tl_status add_rows(tl_prepared *prepared, const tl_brdf_table *table, tl_error *err)
+{
+    void *rows = NULL;
+    const tl_status status =
+        tl_section_add(prepared, sizeof table->rows, &prepared->frame.brdfs_at, &rows, err);
+    if (status != TL_OK)
+        return status;
+    memcpy(rows, table->rows, sizeof table->rows);
+    return TL_OK;
+}
+
+/* Where materials are given and select nothing, though nothing is wrong. */
+static void tell_of_rows(const tl_gbuffer *gbuffer,
+                         const tl_light_set *lights,
+                         const tl_brdf_table *table,
+                         const tl_notices *notices)
+{
+    if (lights->material_count == 0 || table->selects)
+        return;
+    if (gbuffer->present & TL_GROUP_BRDF)
+        tl_notice(notices, "no surface has an index that the lights' materials are for");
+    else
+        tl_notice(
+            notices,
+            "the lights' materials are for nothing: the capture has no plane brdf; capture "
+            "it with --materials");
+}
+
 tl_status tl_prepare(const tl_gbuffer *gbuffer,
                      const tl_light_set *lights,
                      const tl_prepare_options *options,
@@ -251,25 +281,36 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
                      tl_prepared *prepared,
                      tl_error *err)
 {
-    const tl_status status = reserve_lights(prepared, lights->count, err);
-    if (status != TL_OK)
-        return status;
+    tl_status status = TL_OK;
+    tl_brdf_table table;
+    TRY(tl_brdf_table_make(gbuffer, lights, &table, err));
+    TRY(reserve_lights(prepared, lights->count, err));
     prepared->frame = frame_of(gbuffer, lights, options);
-    prepared->explanation = tl_causes_of_frame(gbuffer, lights, options->effects);
+    prepared->rows = NULL;
+    prepared->explanation = tl_causes_of_frame(gbuffer, lights, &table, options->effects);
     prepared->two_colored_count = 0;
     prepared->sections_size = 0;
     prepared->spots = (tl_view_spot *)(prepared->lights + lights->count);
     collect(&gbuffer->camera, lights, options, 1, prepared);
     collect(&gbuffer->camera, lights, options, 0, prepared);
     close_up(prepared);
-    prepared->needs = tl_needs_of_causes(&prepared->explanation, gbuffer, lights);
+    prepared->needs = tl_needs_of_causes(&prepared->explanation, gbuffer, &table);
     if (has_one_color(prepared)) {
         prepared->explanation.causes |= TL_BY(TL_CAUSE_ONE_COLOR);
-        prepared->needs = tl_needs_of_causes(&prepared->explanation, gbuffer, lights);
+        prepared->needs = tl_needs_of_causes(&prepared->explanation, gbuffer, &table);
     }
+    if (reads_planes(prepared->needs, TL_GROUP_BRDF))
+        TRY(add_rows(prepared, &table, err));
     name_empty_cones(lights, notices);
+    tell_of_rows(gbuffer, lights, &table, notices);
     prepared->needs.choices = 0;
-    return options->effects == TL_EFFECTS_ALL ? TL_OK : tl_choices_open(prepared, err);
+    if (options->effects != TL_EFFECTS_ALL)
+        TRY(tl_choices_open(prepared, err));
+    /* Sections may have moved while others were added. */
+    if (reads_planes(prepared->needs, TL_GROUP_BRDF))
+        prepared->rows = tl_section_at(prepared, prepared->frame.brdfs_at);
+done:
+    return status;
 }
 
 size_t tl_prepared_lights_size(const tl_prepared *prepared)

@@ -23,6 +23,8 @@ typedef struct tl_prepared {
     size_t memory_size;     /* bytes at `lights` */
     size_t sections_size;   /* bytes of the sections behind the cones: sections.h */
     uint32_t two_colored_count; /* lights that add something, with lobes of different colours */
+    const tl_brdf
+        *rows; /* of frame.brdfs_at, by the index of a pixel; NULL where the frame has none */
     tl_explanation explanation; /* where `needs` comes from */
 } tl_prepared;
 

@@ -16,6 +16,8 @@ static uint32_t causes_of_planes(uint32_t planes)
         causes |= TL_BY(TL_CAUSE_OCCLUSION);
     if (planes & TL_GROUP_EMISSIVE)
         causes |= TL_BY(TL_CAUSE_EMISSION);
+    if (planes & TL_GROUP_TANGENT)
+        causes |= TL_BY(TL_CAUSE_TANGENT);
     return causes;
 }
 
@@ -26,6 +28,31 @@ static uint32_t causes_of_material(uint32_t present)
                                           : 0;
 }
 
+/* Of the surfaces' models, and of rows that they have. */
+static uint32_t causes_of_rows(const tl_brdf_table *table)
+{
+    uint32_t causes = table->selects ? TL_BY(TL_CAUSE_ROWS) : 0;
+    for (tl_u32 model = 0; model < TL_MODEL_COUNT; model++) {
+        if (!(table->models >> model & 1u))
+            continue;
+        if (model != TL_MODEL_PHONG)
+            causes |= TL_BY(TL_CAUSE_MODEL);
+        if (traits_of(model) & TL_LOBE_SPECULAR)
+            causes |= TL_BY(TL_CAUSE_SHINY);
+        if (traits_of(model) & TL_LOBE_WIDTH)
+            causes |= TL_BY(TL_CAUSE_WIDTH);
+        if (traits_of(model) & TL_LOBE_TANGENT)
+            causes |= TL_BY(TL_CAUSE_GRAIN);
+        if (traits_of(model) & TL_LOBE_GRAZING)
+            causes |= TL_BY(TL_CAUSE_FRESNEL);
+    }
+    for (int i = 0; i < TL_BRDF_COUNT; i++)
+        if (table->occurs[i] && (table->rows[i].given & TL_TAKES_SPECULAR) &&
+            is_lit_by(table->rows[i].specular))
+            causes |= TL_BY(TL_CAUSE_GLOSS);
+    return causes;
+}
+
 /* One-colour is no effect to assume: it is another order of rounding. */
 static const uint32_t assumable = TL_BY(TL_CAUSE_DIRECTIONAL) | TL_BY(TL_CAUSE_INVERSE_SQUARE) |
                                   TL_BY(TL_CAUSE_LINEAR) | TL_BY(TL_CAUSE_LINEAR_FROM) |
@@ -34,6 +61,7 @@ static const uint32_t assumable = TL_BY(TL_CAUSE_DIRECTIONAL) | TL_BY(TL_CAUSE_I
 
 tl_explanation tl_causes_of_frame(const tl_gbuffer *gbuffer,
                                   const tl_light_set *lights,
+                                  const tl_brdf_table *table,
                                   tl_effects_mode mode)
 {
     tl_explanation e = {.present = gbuffer->present, .neutral = gbuffer->neutral};
@@ -44,14 +72,7 @@ tl_explanation tl_causes_of_frame(const tl_gbuffer *gbuffer,
         e.causes |= TL_BY(TL_CAUSE_AMBIENT);
     if (is_lit_by(lights->sky))
         e.causes |= TL_BY(TL_CAUSE_SKY);
-    if (lights->model != TL_MODEL_PHONG)
-        e.causes |= TL_BY(TL_CAUSE_MODEL);
-    if (traits_of(lights->model) & TL_LOBE_SPECULAR)
-        e.causes |= TL_BY(TL_CAUSE_SHINY);
-    if (traits_of(lights->model) & TL_LOBE_WIDTH)
-        e.causes |= TL_BY(TL_CAUSE_WIDTH);
-    if (traits_of(lights->model) & TL_LOBE_GRAZING)
-        e.causes |= TL_BY(TL_CAUSE_FRESNEL);
+    e.causes |= causes_of_rows(table);
     if (gbuffer->camera.projection == TL_ORTHOGRAPHIC)
         e.causes |= TL_BY(TL_CAUSE_PARALLEL);
     return e;
@@ -136,16 +157,25 @@ static uint32_t idle_planes(const tl_explanation *e)
     return e->present & ~(e->assumed ? read : read & ~e->neutral);
 }
 
+/* That of all surfaces, where they have one; else the frame's, which those without a row have. */
+static tl_u32 model_of(const tl_brdf_table *table)
+{
+    for (tl_u32 model = 0; model < TL_MODEL_COUNT; model++)
+        if (table->models == 1u << model)
+            return model;
+    return table->rows[0].model;
+}
+
 tl_needs tl_needs_of_causes(tl_explanation *e,
                             const tl_gbuffer *gbuffer,
-                            const tl_light_set *lights)
+                            const tl_brdf_table *table)
 {
     e->effects = tl_effects_of(e->causes | e->assumed) & ~e->without;
     e->idle = idle_planes(e);
     tl_needs needs = {.present = gbuffer->present,
                       .layout = gbuffer->layout,
-                      .model = lights->model,
-                      .models = 1u << lights->model,
+                      .model = model_of(table),
+                      .models = table->models,
                       .orthographic = (tl_u32)is_on(e, TL_EFFECT_PARALLEL),
                       .specular = (tl_u32)is_on(e, TL_EFFECT_SPECULAR),
                       .spots = (tl_u32)is_on(e, TL_EFFECT_SPOTS),

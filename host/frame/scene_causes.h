@@ -2,6 +2,7 @@
 #ifndef TL_SCENE_CAUSES_H
 #define TL_SCENE_CAUSES_H
 
+#include "brdf_table.h"
 #include "frame.h"
 #include "needs.h"
 
@@ -12,6 +13,7 @@
 /* Causes of the planes and of the frame; lights are still to come. */
 tl_explanation tl_causes_of_frame(const tl_gbuffer *gbuffer,
                                   const tl_light_set *lights,
+                                  const tl_brdf_table *table,
                                   tl_effects_mode mode);
 
 /* Whether light `index` of the set, as kernels would take it, adds exactly nothing; notes why. is_global:
@@ -33,6 +35,6 @@ void tl_causes_of_light(tl_explanation *explanation,
  * explanation->effects and ->idle. */
 tl_needs tl_needs_of_causes(tl_explanation *explanation,
                             const tl_gbuffer *gbuffer,
-                            const tl_light_set *lights);
+                            const tl_brdf_table *table);
 
 #endif

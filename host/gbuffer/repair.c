@@ -45,6 +45,12 @@ void tl_faults_add(tl_faults *faults, tl_fault_counts counts)
     atomic_fetch_add(&faults->value, counts.value);
 }
 
+void tl_faults_add_indices(tl_faults *faults, const tl_index_set *set)
+{
+    for (size_t i = 0; i < sizeof set->bits / sizeof set->bits[0]; i++)
+        atomic_fetch_or(&faults->indices[i], set->bits[i]);
+}
+
 static int is_sky(float depth)
 {
     return depth == INFINITY;
@@ -102,6 +108,8 @@ static void repair_rows(void *context, size_t begin, size_t end)
     scan *const s = context;
     tl_fault_counts counts = {0, 0, 0};
     uint32_t telling = 0;
+    tl_index_set indices = {{0}};
+    const float *brdf = s->planes[TL_BRDF];
     float *nx = s->planes[TL_NORMAL_X], *ny = s->planes[TL_NORMAL_Y],
           *nz = s->planes[TL_NORMAL_Z];
 
@@ -125,9 +133,12 @@ static void repair_rows(void *context, size_t begin, size_t end)
                 nx[at] = ny[at] = nz[at] = 0.0f;
             }
             counts.value += repair_values(s, at, row, column, &telling);
+            if (brdf)
+                tl_index_note(&indices, (uint32_t)brdf[at]);
         }
     }
     tl_faults_add(s->faults, counts);
+    tl_faults_add_indices(s->faults, &indices);
     atomic_fetch_or(&s->faults->telling, telling);
 }
 
@@ -174,11 +185,16 @@ tl_status tl_gbuffer_repair(
     atomic_init(&faults.value, 0);
     atomic_init(&faults.first, ~0ull);
     atomic_init(&faults.telling, 0);
+    for (size_t i = 0; i < sizeof gbuffer->indices / sizeof gbuffer->indices[0]; i++)
+        atomic_init(&faults.indices[i], 0);
     if (gbuffer->layout == TL_LAYOUT_FLOAT)
         repair_float(gbuffer, &faults);
     else
         tl_repair_packed(gbuffer, &faults);
     gbuffer->neutral = neutral_planes(gbuffer->present, atomic_load(&faults.telling));
+    gbuffer->knows_indices = true;
+    for (size_t i = 0; i < sizeof gbuffer->indices / sizeof gbuffer->indices[0]; i++)
+        gbuffer->indices[i] = atomic_load(&faults.indices[i]);
     const unsigned long long first = atomic_load(&faults.first);
     if (strict && first != ~0ull)
         return refuse(gbuffer, name, first, err);

@@ -43,6 +43,7 @@ static inline float tl_repaired_value(int plane, float value)
 typedef struct tl_faults {
     atomic_ullong depth, normal, value;
     atomic_ullong first; /* row << 40 | column << 8 | plane of the first, for messages */
+    atomic_uint indices[(TL_MAX_MATERIALS + 32) / 32]; /* as tl_gbuffer has them */
     atomic_uint telling; /* not neutral in some pixel, bits 1 << plane; of a colour one */
 } tl_faults;
 
@@ -58,6 +59,18 @@ typedef struct tl_fault_counts {
 } tl_fault_counts;
 
 void tl_faults_add(tl_faults *faults, tl_fault_counts counts);
+
+/* Indices that some rows have: added to the others at their end. */
+typedef struct tl_index_set {
+    uint32_t bits[(TL_MAX_MATERIALS + 32) / 32];
+} tl_index_set;
+
+static inline void tl_index_note(tl_index_set *set, uint32_t index)
+{
+    set->bits[index / 32] |= 1u << index % 32;
+}
+
+void tl_faults_add_indices(tl_faults *faults, const tl_index_set *set);
 
 /* plane: the first of the attribute that is at fault. */
 void tl_faults_note(tl_faults *faults, uint32_t row, uint32_t column, int plane);

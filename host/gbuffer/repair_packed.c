@@ -248,6 +248,7 @@ static void repair_pixel(const job *j,
                          uint32_t row,
                          tl_fault_counts *counts,
                          uint32_t *telling,
+                         tl_index_set *indices,
                          slack *most)
 {
     const readings at = read_position(j, layout, words, column, row);
@@ -266,6 +267,8 @@ static void repair_pixel(const job *j,
     }
     counts->value += (unsigned)repair_values(j, words, column, row);
     *telling |= telling_planes(j, words);
+    if (j->gbuffer->present & TL_GROUP_BRDF)
+        tl_index_note(indices, (uint32_t)channel_value(layout->brdf.channels[0], words));
     if (TL_IS_POSITION(layout->depth.code))
         widen(most, j, at, column, row);
 }
@@ -284,15 +287,17 @@ static void repair_rows(job *j, const tl_layout *layout, size_t begin, size_t en
     tl_fault_counts counts = {0, 0, 0};
     slack most = {0.0, 0.0};
     uint32_t telling = 0;
+    tl_index_set indices = {{0}};
     planes.layout = layout;
     for (uint32_t row = (uint32_t)begin; row < end; row++)
         for (uint32_t column = 0; column < j->gbuffer->camera.width; column++) {
             const size_t at = (size_t)row * j->gbuffer->pitch + column;
             tl_words words = tl_words_at(&planes, at);
-            repair_pixel(j, layout, &words, column, row, &counts, &telling, &most);
+            repair_pixel(j, layout, &words, column, row, &counts, &telling, &indices, &most);
             tl_words_put(&planes, at, words);
         }
     tl_faults_add(j->faults, counts);
+    tl_faults_add_indices(j->faults, &indices);
     atomic_fetch_or(&j->faults->telling, telling);
     raise_to(&j->slack_x, most.x);
     raise_to(&j->slack_y, most.y);

@@ -3,6 +3,8 @@
 #include "parallel.h"
 #include "try.h"
 
+#include <string.h>
+
 /* The rotation's rows are orthonormal, so its inverse is its transpose. */
 static vec3 world_direction(const tl_frame *frame, vec3 view)
 {
@@ -96,6 +98,8 @@ tl_status tl_gbuffer_unpack(const tl_gbuffer *from, tl_gbuffer **out, tl_error *
     tl_status status = TL_OK;
     TRY(tl_gbuffer_create(&from->camera, from->present, &j.to, err));
     j.to->samples = from->samples;
+    j.to->knows_indices = from->knows_indices;
+    memcpy(j.to->indices, from->indices, sizeof from->indices);
     TRY(tl_material_names_copy(&from->materials, &j.to->materials, err));
     tl_parallel(j.to->camera.height, 4, unpack_rows, &j);
     *out = j.to;

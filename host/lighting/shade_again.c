@@ -53,7 +53,11 @@ static tl_needs needs_without(const tl_lighting *lighting,
     const tl_needs *all = &lighting->prepared.needs;
     tl_explanation explanation = lighting->prepared.explanation;
     explanation.without = effects;
-    tl_needs needs = tl_needs_of_causes(&explanation, gbuffer, lights);
+    tl_brdf_table table;
+    tl_error unlikely; /* the frame has been lit */
+    if (tl_brdf_table_make(gbuffer, lights, &table, &unlikely) != TL_OK)
+        return *all;
+    tl_needs needs = tl_needs_of_causes(&explanation, gbuffer, &table);
     needs.choices = all->choices & ~((needs.spots ? 0 : (tl_u32)TL_CHOICE_CONES) |
                                      (needs.specular ? 0 : (tl_u32)TL_CHOICE_LOBES));
     return needs;

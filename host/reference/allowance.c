@@ -87,7 +87,7 @@ static rough_surface rough_surface_of(
     const tl_prepared *prepared, pixel in, double exponent, uint32_t column, uint32_t row)
 {
     const tl_frame *frame = &prepared->frame;
-    const substance made = substance_of(frame, prepared->needs, in);
+    const substance made = substance_at(frame, prepared->needs, in, prepared->rows);
     const tl_u32 model = model_of(prepared->needs, &made);
     const tl_rays rays = frame->rays;
     const int parallel = (int)prepared->needs.orthographic;
@@ -324,9 +324,10 @@ static interval lobe_factors(
     return out;
 }
 
-static rough_material rough_material_of(const tl_frame *frame, tl_needs needs, pixel in)
+static rough_material rough_material_of(const tl_prepared *prepared, pixel in)
 {
-    const substance m = substance_of(frame, needs, in);
+    const tl_needs needs = prepared->needs;
+    const substance m = substance_at(&prepared->frame, needs, in, prepared->rows);
     const double diffuse[3] = {m.diffuse.x, m.diffuse.y, m.diffuse.z};
     const double specular[3] = {m.specular.x, m.specular.y, m.specular.z};
     const double base[3] = {in.albedo.x, in.albedo.y, in.albedo.z};
@@ -391,6 +392,18 @@ static void add_unlit(const tl_frame *frame, pixel in, interval sum[3])
     }
 }
 
+/* The frame as this pixel has it: of the one model that its row names, with a lobe where that has one. */
+static tl_prepared prepared_at(const tl_prepared *prepared, pixel in)
+{
+    tl_prepared own = *prepared;
+    if (reads_planes(own.needs, TL_GROUP_BRDF)) {
+        own.needs.model = own.rows[(tl_u32)in.brdf].model;
+        own.needs.models = 1u << own.needs.model;
+        own.needs.specular &= (tl_u32)lobe_has(own.needs, TL_LOBE_SPECULAR);
+    }
+    return own;
+}
+
 tl_allowance tl_allowance_of(const tl_prepared *prepared,
                              float *const planes[TL_PLANE_COUNT],
                              uint32_t column,
@@ -402,13 +415,14 @@ tl_allowance tl_allowance_of(const tl_prepared *prepared,
     if (!(in.depth < INFINITY))
         return sky_of(frame);
     const vec3 expected = light_pixel(prepared, in, column, row);
-    const rough_material material = rough_material_of(&prepared->frame, prepared->needs, in);
-    const rough_surface s = rough_surface_of(prepared, in, material.exponent, column, row);
+    const tl_prepared own = prepared_at(prepared, in);
+    const rough_material material = rough_material_of(&own, in);
+    const rough_surface s = rough_surface_of(&own, in, material.exponent, column, row);
     interval sum[3] = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}};
     uint32_t terms = 0;
     int certain = 1;
     for (uint32_t index = 0; index < frame->light_count; index++) {
-        const rough_light light = light_on(prepared, &s, index, form);
+        const rough_light light = light_on(&own, &s, index, form);
         if (!light.may_add)
             continue;
         terms++;
@@ -440,9 +454,10 @@ int tl_allowance_share(const tl_prepared *prepared,
     const pixel in = pixel_at(planes, (size_t)row * prepared->frame.pitch + column);
     if (!(in.depth < INFINITY))
         return 0;
-    const rough_material material = rough_material_of(&prepared->frame, prepared->needs, in);
-    const rough_surface s = rough_surface_of(prepared, in, material.exponent, column, row);
-    const rough_light light = light_on(prepared, &s, index, form);
+    const tl_prepared own = prepared_at(prepared, in);
+    const rough_material material = rough_material_of(&own, in);
+    const rough_surface s = rough_surface_of(&own, in, material.exponent, column, row);
+    const rough_light light = light_on(&own, &s, index, form);
     if (!light.may_add)
         return 0;
     *out = (tl_light_share){

@@ -11,7 +11,7 @@ TL_INLINE vec3 light_surface(const tl_prepared *prepared, pixel in, surface s)
 {
     const tl_frame *frame = &prepared->frame;
     const tl_needs needs = prepared->needs;
-    const substance m = substance_of(frame, needs, in);
+    const substance m = substance_at(frame, needs, in, prepared->rows);
     const finish f = finish_of(needs, s, m);
     received sum = nothing_received();
     if (in.depth < (real)INFINITY) {
@@ -27,10 +27,11 @@ TL_INLINE vec3 light_surface(const tl_prepared *prepared, pixel in, surface s)
 TL_INLINE vec3 light_pixel(const tl_prepared *prepared, pixel in, uint32_t column, uint32_t row)
 {
     const tl_needs needs = prepared->needs;
-    return light_surface(prepared, in,
-                         surface_of(&prepared->frame, needs, in,
-                                    substance_of(&prepared->frame, needs, in).shininess,
-                                    (real)column, (scalar)row));
+    return light_surface(
+        prepared, in,
+        surface_of(&prepared->frame, needs, in,
+                   substance_at(&prepared->frame, needs, in, prepared->rows).shininess,
+                   (real)column, (scalar)row));
 }
 
 #endif

@@ -283,7 +283,8 @@ static rough_reflection cook_torrance(
 }
 
 /* What the direction of the lobe adds to sin^2/wide^2: the square of p.sharp, p the part of h across n over
- * |h|. p moves as h turns; the axis by what n does to it, more the nearer it is to n. The difference of
+ * |h|. p moves as h turns; the axis by its own rotation, 3u in each number, and by what n does to it, more the
+ * nearer it is to n. The difference of
  * 1/ax^2 and 1/ay^2 is off by 20u of the larger. */
 static interval along_of(const rough_surface *s, const rough_half *a)
 {
@@ -294,7 +295,7 @@ static interval along_of(const rough_surface *s, const rough_half *a)
     const double length = length_of(m->along), across = dot3(n, m->along);
     const double tangent = sqrt(clamp_low(length * length - across * across));
     const double axis_moved =
-        tangent > 0.0 ? fmin(2.0, (s->normal_moved + 20.0 * U) * length / tangent) : 2.0;
+        tangent > 0.0 ? fmin(2.0, (s->normal_moved + 26.0 * U) * length / tangent) : 2.0;
     if (!a->is_known || axis_moved > 0.5)
         return (interval){0.0, steep * steep * a->sin2.high * (1.0 + 40.0 * U)};
     const double per_length = 1.0 / a->length;

@@ -16,8 +16,9 @@ void TL_TWIN(const tl_prepared *prepared,
         for (uint32_t column = 0; column < width; column++) {
             const size_t at = (size_t)row * prepared->frame.pitch + column;
             const tl_words words = tl_words_at(planes, at);
-            const surface s = unpacked_surface(&prepared->frame, prepared->needs,
-                                               planes->layout, &words, (real)column, (real)row);
+            const surface s =
+                unpacked_surface(&prepared->frame, prepared->needs, planes->layout, &words,
+                                 prepared->rows, (real)column, (real)row);
             const pixel in = pixel_of(prepared->needs, planes->layout, &words, -s.position.z);
             const vec3 out = light_surface(prepared, in, s);
             radiance[0][at] = (float)out.x;

@@ -1,5 +1,7 @@
 #include "tilelight/lights.h"
 
+#include "material_rows.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -44,6 +46,7 @@ tl_status tl_light_set_add(tl_light_set *set, const tl_light *light, tl_error *e
 void tl_light_set_clear(tl_light_set *set)
 {
     free(set->lights);
+    free(set->materials);
     *set = (tl_light_set){0};
 }
 
@@ -157,6 +160,9 @@ tl_status tl_light_set_check(const tl_light_set *set, const char *source, tl_err
     if ((unsigned)set->model >= TL_MODEL_COUNT)
         return tl_fail(err, TL_ERR_FORMAT, "%s: there is no shading model %u", source,
                        (unsigned)set->model);
+    const tl_status rows = tl_material_rows_check(set, source, err);
+    if (rows != TL_OK)
+        return rows;
     for (size_t i = 0; i < set->count; i++) {
         tl_status status = check_numbers(&set->lights[i], i, source, err);
         if (status == TL_OK)

@@ -41,8 +41,11 @@ typedef enum tl_cause_kind {
     X(TL_CAUSE_AMBIENT, TL_CAUSE_OF_FRAME, "ambient light")                                \
     X(TL_CAUSE_SKY, TL_CAUSE_OF_FRAME, "colour of the sky")                                \
     X(TL_CAUSE_MODEL, TL_CAUSE_OF_FRAME, "shading model other than phong")                 \
+    X(TL_CAUSE_ROWS, TL_CAUSE_OF_FRAME, "row of materials for an index of the capture")    \
     X(TL_CAUSE_SHINY, TL_CAUSE_OF_FRAME, "shading model with highlights")                  \
     X(TL_CAUSE_WIDTH, TL_CAUSE_OF_FRAME, "shading model of rough surfaces")                \
+    X(TL_CAUSE_GRAIN, TL_CAUSE_OF_FRAME, "shading model that follows a direction")         \
+    X(TL_CAUSE_TANGENT, TL_CAUSE_OF_PLANES, "tangent")                                     \
     X(TL_CAUSE_FRESNEL, TL_CAUSE_OF_FRAME, "shading model with Fresnel's reflectance")     \
     X(TL_CAUSE_ONE_COLOR, TL_CAUSE_OF_FRAME,                                               \
       "model that tints grey highlights, and lights of one colour each")                   \
@@ -82,9 +85,13 @@ typedef enum tl_cause {
       TL_BY(TL_CAUSE_MODEL), 0, "TL_MODEL")                                                    \
     X(TL_EFFECT_WIDTH, "roughness", "lobes as wide as a surface is rough",                     \
       TL_BY(TL_CAUSE_WIDTH), TL_HAS(TL_SHININESS) | TL_HAS(TL_ROUGHNESS), "TL_MODEL")          \
+    X(TL_EFFECT_TANGENT, "tangents", "lobes that follow each pixel's tangent",                 \
+      TL_BY(TL_CAUSE_GRAIN) | TL_BY(TL_CAUSE_TANGENT), TL_GROUP_TANGENT, "TL_IDLE")            \
     X(TL_EFFECT_FRESNEL, "fresnel", "more reflection at grazing angles, and less from below",  \
       TL_BY(TL_CAUSE_FRESNEL) | TL_BY(TL_CAUSE_GLOSS),                                         \
       TL_THREE(TL_SPECULAR_R) | TL_HAS(TL_METALLIC), "TL_MODEL")                               \
+    X(TL_EFFECT_ROWS, "materials", "models and materials by the index of each pixel",          \
+      TL_BY(TL_CAUSE_ROWS), TL_GROUP_BRDF, "TL_IDLE")                                          \
     X(TL_EFFECT_ONE_COLOR, "one-color", "both lobes in one sum", TL_BY(TL_CAUSE_ONE_COLOR), 0, \
       "TL_ONE_COLOR")                                                                          \
     X(TL_EFFECT_AMBIENT, "ambient", "ambient light on the albedo", TL_BY(TL_CAUSE_AMBIENT), 0, \

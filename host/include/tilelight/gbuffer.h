@@ -35,8 +35,6 @@ typedef struct tl_material_names {
     char **of; /* [count], NUL-terminated; "" where the scene gives none */
 } tl_material_names;
 
-enum { TL_MAX_MATERIALS = 255 }; /* indices, of 8 bits, beside 0 */
-
 /* Appends a copy. Fails with TL_ERR_MEMORY. */
 tl_status tl_material_names_add(tl_material_names *names, const char *name, tl_error *err);
 
@@ -70,6 +68,10 @@ typedef struct tl_gbuffer {
      * whole. 0 until tl_gbuffer_repair has found them; lighting does not read them. Whoever
      * writes planes afterwards makes it 0 again, or repairs anew. */
     uint32_t neutral;
+    /* Indices that surfaces have in the plane brdf: bit i % 32 of [i / 32] for index i. Not known until
+     * tl_gbuffer_repair has found them, as `neutral` is not. */
+    uint32_t indices[(TL_MAX_MATERIALS + 32) / 32];
+    bool knows_indices;
     tl_material_names materials; /* none where nobody named them */
     unsigned char
         *planes; /* [tl_gbuffer_pixel_size][rows * pitch] bytes, plane after plane, aligned

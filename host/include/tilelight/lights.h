@@ -4,6 +4,7 @@
 
 #include "camera.h"
 #include "models.h"
+#include "planes.h"
 #include "report.h"
 
 #include <stddef.h>
@@ -52,13 +53,29 @@ typedef struct tl_light {
     char name[64];                /* for messages; may be empty */
 } tl_light;
 
-/* lights is owned by the set; release with tl_light_set_clear. All zero is a valid empty set. */
+/* How surfaces reflect that an index of the plane brdf, or a material of the capture, leads here. */
+typedef struct tl_material_row {
+    uint32_t index;     /* 1 to TL_MAX_MATERIALS; of no matter where `material` says it */
+    char material[128]; /* one of tl_gbuffer.materials; "" where the index says it */
+    enum tl_shading_model model;
+    uint32_t
+        given; /* what of the following replaces the surface's own: bits of tl_brdf_parameter */
+    float diffuse[3], specular[3]; /* linear Rec. 709, 0 to 1 */
+    float exponent;                /* 0 to 10000 */
+    float roughness, across; /* 0 to 1, as artists see it; along the direction, and across it */
+    float direction[3];      /* world space, of any length but 0 */
+    float k;                 /* Minnaert's exponent, 0 to 100 */
+} tl_material_row;
+
+/* lights and materials are owned by the set; release with tl_light_set_clear. All zero is a valid empty set. */
 typedef struct tl_light_set {
     float ambient[3];            /* linear Rec. 709; multiplies albedo and occlusion */
     float sky[3];                /* radiance of pixels where nothing was hit */
     enum tl_shading_model model; /* how surfaces reflect */
     size_t count, capacity;
     tl_light *lights; /* [count] */
+    size_t material_count;
+    tl_material_row *materials; /* [material_count] */
 } tl_light_set;
 
 /* A white point light at the origin: inverse square, 1 cd, no range, both lobes 1; a spot's cone
@@ -68,11 +85,19 @@ tl_light tl_light_default(void);
 /* Appends a copy. Fails with TL_ERR_MEMORY. */
 tl_status tl_light_set_add(tl_light_set *set, const tl_light *light, tl_error *err);
 
+/* Nothing given; the model is the first, the index 0, which is none. */
+tl_material_row tl_material_row_default(void);
+
+/* Appends a copy. Fails with TL_ERR_MEMORY. */
+tl_status tl_light_set_add_material(tl_light_set *set,
+                                    const tl_material_row *row,
+                                    tl_error *err);
+
 /* Leaves an empty set. Accepts an empty one. */
 void tl_light_set_clear(tl_light_set *set);
 
-/* Fails with TL_ERR_FORMAT, naming the light by index and name and the field, for a value that is
- * not finite or outside the ranges above. `source` (a file) stands in front of the sentence. */
+/* Fails with TL_ERR_FORMAT, naming the light or the row of materials by index and name and the field, for a
+ * value that is not finite or outside the ranges above, and for two rows of one index or material. `source` (a file) stands in front of the sentence. */
 tl_status tl_light_set_check(const tl_light_set *set, const char *source, tl_error *err);
 
 /* Adds a key light from the upper left and a fill light from the right of the camera, and ambient
