@@ -111,5 +111,36 @@ def lights():
     return (text % lines).encode()
 
 
+# A model for each body, and white light to tell them apart by.
+MODELS = (
+    ("floor", "ward-anisotropic", dict(diffuse=(0.16, 0.17, 0.19), specular=(0.5, 0.5, 0.52),
+                                       roughness=0.35, roughnessAcross=0.75, direction=(1, 0, 0))),
+    ("middle sphere", "ward-anisotropic", dict(diffuse=(0.1, 0.07, 0.04), specular=(0.95, 0.7, 0.4),
+                                               roughness=0.32, roughnessAcross=0.8)),
+    ("ring", "cook-torrance", dict(diffuse=(0.05, 0.03, 0.01), specular=(1.0, 0.71, 0.29),
+                                   roughness=0.45)),
+    ("cone", "oren-nayar", dict(diffuse=(0.8, 0.42, 0.3), roughness=0.9)),
+    ("cylinder", "ward", dict(diffuse=(0.25, 0.35, 0.6), specular=(0.4, 0.4, 0.4), roughness=0.5)),
+    ("box", "lambert", dict(diffuse=(0.7, 0.68, 0.6))),
+    ("vase", "metal-rough", dict(diffuse=(0.02, 0.3, 0.25), specular=(0.04, 0.04, 0.04),
+                                 roughness=0.3)),
+    ("small sphere", "minnaert", dict(diffuse=(0.75, 0.7, 0.62), k=0.6)),
+    ("disc", "phong-reflection", dict(diffuse=(0.6, 0.1, 0.12), specular=(0.8, 0.8, 0.8),
+                                      shininess=60)))
+WHITE_LIGHTS = (("key", (-4, 6, 4), (1.0, 0.95, 0.88), 40), ("back", (3.5, 5, -6), (0.85, 0.92, 1.0), 28),
+                ("fill", (6, 4, 6), (1, 1, 1), 11))
+
+
+def models():
+    """A lights file in which every body reflects by a model of its own."""
+    rows = [json.dumps({"material": name, "model": model, **given}) for name, model, given in MODELS]
+    lamps = [json.dumps({"type": "point", "name": name, "position": place, "color": color,
+                         "intensity": intensity}) for name, place, color, intensity in WHITE_LIGHTS]
+    text = ('{\n  "tilelight": 1,\n  "ambient": [0.04, 0.04, 0.045],\n  "materials": [\n    %s\n  ],\n'
+            '  "lights": [\n    %s\n  ]\n}\n')
+    return (text % (",\n    ".join(rows), ",\n    ".join(lamps))).encode()
+
+
 def files():
-    return {**document().embedded("nine-lights"), "nine-lights.lights.json": lights()}
+    return {**document().embedded("nine-lights"), "nine-lights.lights.json": lights(),
+            "nine-models.lights.json": models()}

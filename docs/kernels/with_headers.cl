@@ -33,12 +33,14 @@ pixel load(__global const float *in, size_t size)
     p.depth = in[0];
     p.normal = three_of(in, size, TL_GROUP_BASE, TL_NORMAL_X);
     p.albedo = three_of(in, size, TL_GROUP_BASE, TL_ALBEDO_R);
-    p.specular = three_of(in, size, TL_GROUP_PHONG, TL_SPECULAR_R);
-    p.shininess = value_of(in, size, TL_GROUP_PHONG, TL_SHININESS, 0.0f);
+    p.specular = three_of(in, size, TL_THREE(TL_SPECULAR_R), TL_SPECULAR_R);
+    p.shininess = value_of(in, size, TL_HAS(TL_SHININESS), TL_SHININESS, 0.0f);
     p.metallic = value_of(in, size, TL_GROUP_METAL_ROUGH, TL_METALLIC, 0.0f);
     p.roughness = value_of(in, size, TL_GROUP_METAL_ROUGH, TL_ROUGHNESS, 0.0f);
     p.occlusion = value_of(in, size, TL_GROUP_OCCLUSION, TL_OCCLUSION, 1.0f);
     p.emissive = three_of(in, size, TL_GROUP_EMISSIVE, TL_EMISSIVE_R);
+    p.brdf = value_of(in, size, TL_GROUP_BRDF, TL_BRDF, 0.0f);
+    p.tangent = three_of(in, size, TL_GROUP_TANGENT, TL_TANGENT_X);
     return p;
 }
 
@@ -60,7 +62,7 @@ __kernel void shade_in_batches(const tl_frame frame,
     const tl_needs needs = needs_of_build();
 
     const pixel in = load(planes + at, plane_size);
-    const substance material = substance_of(&frame, needs, in);
+    const substance material = substance_at(&frame, needs, in, rows_behind(&frame, lights));
     const surface s = surface_of(&frame, needs, in, material.shininess, (float)column,
                                  (float)(frame.first_row + row));
     const finish f = finish_of(needs, s, material);
