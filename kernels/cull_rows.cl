@@ -117,15 +117,53 @@ TL_INLINE tile_box box_of_positions(
     return b;
 }
 
+/* Which of the lights [first, first + LIGHTS_AT_ONCE) have a rectangle in this row. */
+#define LIGHTS_AT_ONCE 16
+#define OR_INT_HALVES(v) ((v).lo | (v).hi)
+TL_INLINE int any_in_row(__global const int *rects, uint pitch, uint first, int row)
+{
+    const int16 y0 = vload16(0, rects + TL_RECT_Y0 * pitch + first);
+    const int16 y1 = vload16(0, rects + TL_RECT_Y1 * pitch + first);
+    const int16 in_row = (y0 <= row) & (y1 > row);
+    const int4 quarter = OR_INT_HALVES(OR_INT_HALVES(in_row));
+    return (quarter.x | quarter.y | quarter.z | quarter.w) != 0;
+}
+
+/* Columns of tiles, [x0, x1). */
+typedef struct span {
+    int x0, x1;
+} span;
+
+/* Those that rectangles of lights in this row cover together: no light reaches a tile beside them. */
+TL_INLINE span span_of_row(const tl_frame *frame, __global const int *rects, int row)
+{
+    const uint pitch = TL_RECT_PITCH(frame->light_count);
+    span covered = {(int)frame->tiles_x, 0};
+    for (uint i = 0; i < frame->light_count; i++) {
+        if (i % LIGHTS_AT_ONCE == 0 && !any_in_row(rects, pitch, i, row)) {
+            i += LIGHTS_AT_ONCE - 1;
+            continue;
+        }
+        if (rects[TL_RECT_Y0 * pitch + i] <= row && rects[TL_RECT_Y1 * pitch + i] > row) {
+            covered.x0 = min(covered.x0, rects[TL_RECT_X0 * pitch + i]);
+            covered.x1 = max(covered.x1, rects[TL_RECT_X1 * pitch + i]);
+        }
+        if (covered.x0 == 0 && covered.x1 == (int)frame->tiles_x)
+            break;
+    }
+    return covered;
+}
+
 /* A tile at an edge spans near and far surfaces, and the lights between them would pass for reaching
  * it: such a tile is halved at its middle depth, and each half has a box of its own. As every pixel
  * is in one of the two, whatever the middle is, no pixel that a light reaches is missed.
  *
- * planes: the frame's. row_boxes: the row's, written in full; empty beyond its last tile, and
- * the second one of a tile for which one box does. */
+ * planes: the frame's, read for the tiles of `covered`. row_boxes: the row's, written in full; empty beside
+ * those, and the second one of a tile for which one box does. */
 TL_INLINE void bound_row(const tl_frame *frame,
                          __global const uchar *planes,
                          uint tile_row,
+                         span covered,
                          __global scalar *row_boxes)
 {
     const size_t plane = (size_t)frame->tiles_y * frame->box_pitch;
@@ -133,7 +171,7 @@ TL_INLINE void bound_row(const tl_frame *frame,
     for (uint tile = 0; tile < frame->box_pitch; tile++) {
         tile_box near = empty_box(), far = empty_box();
         const uint column = tile * frame->tile_size;
-        if (tile < frame->tiles_x) {
+        if ((int)tile >= covered.x0 && (int)tile < covered.x1) {
             load_positions(frame, planes, column, tile_row * frame->tile_size, &at);
             near = box_of_positions(frame, &at, column, -INFINITY, MAXFLOAT);
         }
@@ -178,18 +216,6 @@ TL_INLINE void mark(const tl_frame *frame,
         STORE_INTS(LOAD_INTS(words + tile) | INTS_WHERE(reached, 1u << bit), words + tile);
     }
     t->lights[t->count++] = i;
-}
-
-/* Which of the lights [first, first + LIGHTS_AT_ONCE) have a rectangle in this row. */
-#define LIGHTS_AT_ONCE 16
-#define OR_INT_HALVES(v) ((v).lo | (v).hi)
-TL_INLINE int any_in_row(__global const int *rects, uint pitch, uint first, int row)
-{
-    const int16 y0 = vload16(0, rects + TL_RECT_Y0 * pitch + first);
-    const int16 y1 = vload16(0, rects + TL_RECT_Y1 * pitch + first);
-    const int16 in_row = (y0 <= row) & (y1 > row);
-    const int4 quarter = OR_INT_HALVES(OR_INT_HALVES(in_row));
-    return (quarter.x | quarter.y | quarter.z | quarter.w) != 0;
 }
 
 /* The next block of the row's lights. */
@@ -317,7 +343,7 @@ __kernel void cull_rows(const tl_frame frame,
     t.ends = ends + (size_t)row * frame.tiles_x;
 
     if (frame.box_count > 0)
-        bound_row(&frame, planes, row, boxes + padded);
+        bound_row(&frame, planes, row, span_of_row(&frame, rects, (int)row), boxes + padded);
     for (uint tile = 0; tile < frame.box_pitch; tile++)
         t.counts[tile] = 0;
     for (t.next_light = 0; t.next_light < frame.light_count; block_count++) {
