@@ -96,6 +96,8 @@ static void add_lights(tl_light_set *set, const tl_camera *camera, float specula
     }
 }
 
+#define ALL_METAL (1u << 31) /* beside planes: metallic is 1 in every pixel */
+
 /* Each part of a frame that may be left out, one after another and all at once. */
 static void what_is_left_out_adds_nothing(void **state)
 {
@@ -113,12 +115,18 @@ static void what_is_left_out_adds_nothing(void **state)
         {"dielectrics", TL_GROUP_METAL_ROUGH, TL_HAS(TL_METALLIC), 1, 1},
         {"mirrors", TL_GROUP_METAL_ROUGH, TL_HAS(TL_ROUGHNESS), 1, 1},
         {"no material", 0, 0, 0, 1},
+        {"metals without colour, as unlit surfaces are",
+         TL_GROUP_METAL_ROUGH | TL_GROUP_EMISSIVE, TL_THREE(TL_ALBEDO_R) | ALL_METAL, 1, 1},
+        {"black dielectrics", TL_GROUP_METAL_ROUGH, TL_THREE(TL_ALBEDO_R), 1, 1},
+        {"black all over", TL_GROUP_PHONG | TL_GROUP_EMISSIVE,
+         TL_THREE(TL_ALBEDO_R) | TL_THREE(TL_SPECULAR_R), 1, 1},
         {"nothing but diffuse light",
          TL_GROUP_METAL_ROUGH | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE,
          TL_GROUP_METAL_ROUGH | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE, 0, 0},
     };
     static const enum tl_layout_name layouts[] = {TL_LAYOUT_FLOAT, TL_LAYOUT_COMPACT_16,
                                                   TL_LAYOUT_DXR};
+    const uint32_t black = TL_THREE(TL_ALBEDO_R) | TL_THREE(TL_SPECULAR_R);
     for (size_t i = 0; i < COUNT_OF(cases); i++) {
         const tl_camera camera = camera_of(70, 40, TL_PERSPECTIVE);
         tl_light_set lights = {
@@ -126,8 +134,13 @@ static void what_is_left_out_adds_nothing(void **state)
         tl_gbuffer *g = random_gbuffer(&camera, TL_GROUP_BASE | cases[i].present, 3);
         tl_error err;
         make_neutral(g, cases[i].neutral);
+        for (size_t p = 0; (cases[i].neutral & ALL_METAL) && p < (size_t)g->pitch * g->rows;
+             p++)
+            set_pixel(g, TL_METALLIC, p, 1.0f);
         ASSERT_OK(tl_gbuffer_repair(g, cases[i].name, false, NULL, &err), err);
-        assert_int_equal(g->neutral, cases[i].neutral);
+        assert_int_equal(g->neutral, cases[i].neutral & ~(TL_THREE(TL_ALBEDO_R) | ALL_METAL));
+        assert_int_equal(g->is_dark,
+                         (cases[i].neutral & ALL_METAL) || (cases[i].neutral & black) == black);
         add_lights(&lights, &camera, cases[i].specular);
         for (size_t l = 0; l < COUNT_OF(layouts); l++) {
             tl_gbuffer *packed = NULL;
@@ -135,7 +148,10 @@ static void what_is_left_out_adds_nothing(void **state)
             if (cases[i].present & ~tl_layout_planes(layouts[l]))
                 continue;
             ASSERT_OK(tl_gbuffer_pack(g, layouts[l], &packed, NULL, &err), err);
-            assert_int_equal(packed->neutral, cases[i].neutral);
+            ASSERT_OK(tl_gbuffer_repair(packed, cases[i].name, false, NULL, &err), err);
+            assert_int_equal(packed->neutral,
+                             cases[i].neutral & ~(TL_THREE(TL_ALBEDO_R) | ALL_METAL));
+            assert_int_equal(packed->is_dark, g->is_dark);
             snprintf(what, sizeof what, "%s, %s", cases[i].name, tl_layout_word(layouts[l]));
             if (i == COUNT_OF(cases) - 1 && layouts[l] == TL_LAYOUT_COMPACT_16)
                 expect_one_picture(*state, by_both, COUNT_OF(by_both), packed, &lights, what);

@@ -186,6 +186,10 @@ static void add_lack(char *text, const explained *e, tl_cause cause)
 {
     const uint32_t neutral = planes_of(cause) & e->of.neutral;
     char planes[128];
+    if (cause == TL_CAUSE_AMBIENT && e->of.is_dark) {
+        add(text, "nothing reflects light");
+        return;
+    }
     if (!neutral) {
         add(text, "no %s", tl_cause_rows[cause].what);
         return;

@@ -68,7 +68,8 @@ tl_explanation tl_causes_of_frame(const tl_gbuffer *gbuffer,
     e.causes = causes_of_planes(e.present & ~e.neutral) | causes_of_material(e.present);
     if (mode == TL_EFFECTS_ALL)
         e.assumed = assumable | causes_of_planes(e.present);
-    if (is_lit_by(lights->ambient))
+    e.is_dark = gbuffer->is_dark && !table->selects;
+    if (is_lit_by(lights->ambient) && !e.is_dark)
         e.causes |= TL_BY(TL_CAUSE_AMBIENT);
     if (is_lit_by(lights->sky))
         e.causes |= TL_BY(TL_CAUSE_SKY);
@@ -100,6 +101,8 @@ int tl_light_is_idle(tl_explanation *explanation,
         why = TL_IDLE_SHORT;
     else if (spot->least_cos > 1.0f)
         why = TL_IDLE_NARROW;
+    else if (explanation->is_dark)
+        why = TL_IDLE_DARK;
     else if (!is_lit_by(light->diffuse) && !has_gloss)
         why = TL_IDLE_NO_GLOSS;
     else

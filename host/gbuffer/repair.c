@@ -84,6 +84,15 @@ static uint32_t says_more_than_absence(int plane, float value)
     return memcmp(&value, &planes[plane].empty, sizeof value) != 0;
 }
 
+/* Of repaired values. */
+static uint32_t reflects(const scan *s, size_t at)
+{
+    for (int p = TL_ALBEDO_R; p <= TL_SPECULAR_B; p++)
+        if (s->planes[p] && says_more_than_absence(p, s->planes[p][at]))
+            return TL_REFLECTS;
+    return s->planes[TL_METALLIC] && s->planes[TL_METALLIC][at] != 1.0f ? TL_REFLECTS : 0;
+}
+
 /* *telling gathers the planes that are not neutral here. */
 static unsigned long long repair_values(
     scan *s, size_t at, uint32_t row, uint32_t column, uint32_t *telling)
@@ -100,6 +109,8 @@ static unsigned long long repair_values(
         }
         *telling |= says_more_than_absence(p, s->planes[p][at]) << p;
     }
+    if (!(*telling & TL_REFLECTS))
+        *telling |= reflects(s, at);
     return repaired;
 }
 
@@ -192,6 +203,7 @@ tl_status tl_gbuffer_repair(
     else
         tl_repair_packed(gbuffer, &faults);
     gbuffer->neutral = neutral_planes(gbuffer->present, atomic_load(&faults.telling));
+    gbuffer->is_dark = !(atomic_load(&faults.telling) & TL_REFLECTS);
     gbuffer->knows_indices = true;
     for (size_t i = 0; i < sizeof gbuffer->indices / sizeof gbuffer->indices[0]; i++)
         gbuffer->indices[i] = atomic_load(&faults.indices[i]);

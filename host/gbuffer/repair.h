@@ -39,12 +39,17 @@ static inline float tl_repaired_value(int plane, float value)
                                              : 0.0f;
 }
 
+/* Beside the planes: some surface may reflect light. Those that do not are black by themselves and in their
+ * highlights; a metal-rough one is that where the base is black and metallic is 1. */
+#define TL_REFLECTS (1u << 31)
+
 /* What all threads found together. */
 typedef struct tl_faults {
     atomic_ullong depth, normal, value;
     atomic_ullong first; /* row << 40 | column << 8 | plane of the first, for messages */
     atomic_uint indices[(TL_MAX_MATERIALS + 32) / 32]; /* as tl_gbuffer has them */
-    atomic_uint telling; /* not neutral in some pixel, bits 1 << plane; of a colour one */
+    atomic_uint
+        telling; /* not neutral in some pixel, bits 1 << plane; of a colour one; TL_REFLECTS */
 } tl_faults;
 
 /* Planes whose absence means something, so that they may be neutral. An exponent is of no matter where

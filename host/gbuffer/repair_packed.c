@@ -48,6 +48,8 @@ typedef struct job {
     int value_count;
     telling_field fields[MOST_VALUES];
     int field_count;
+    telling_field black[MOST_VALUES]; /* all are these where a surface reflects nothing */
+    int black_count;
     atomic_ullong slack_x, slack_y; /* bits of doubles, which are in order for values >= 0 */
 } job;
 
@@ -84,22 +86,26 @@ static uint32_t largest_field(tl_channel c)
     return (uint32_t)((1ull << c.bits) - 1u);
 }
 
+/* What bits of the channel read as exactly 1, in float and in double; returns whether there are any. */
+static int field_of_one(tl_channel c, uint32_t *field)
+{
+    const uint32_t most = largest_field(c);
+    *field = c.number == TL_NUMBER_FLOAT ? 0x3f800000u : most;
+    return c.number == TL_NUMBER_FLOAT ||
+           (c.number == TL_NUMBER_UNORM && (float)most * (1.0f / (float)most) == 1.0f &&
+            (double)most * (1.0 / (double)most) == 1.0);
+}
+
 /* What bits of channel k read as the value that absence means, in float and in double: 0 does in every
  * number and code but an octahedron's, whose first number says so; of a 1 it is a matter of rounding.
  * Returns whether there are any. */
 static int neutral_field(const tl_attribute *a, int k, enum tl_plane plane, uint32_t *field)
 {
     const tl_channel c = a->channels[k];
-    const uint32_t most = largest_field(c);
     *field = plane == TL_TANGENT_X && a->code == TL_NORMAL_OCTAHEDRON && k == 0
                  ? none_bits(c.bits)
                  : 0;
-    if (plane != TL_OCCLUSION)
-        return 1;
-    *field = c.number == TL_NUMBER_FLOAT ? 0x3f800000u : most;
-    return c.number == TL_NUMBER_FLOAT ||
-           (c.number == TL_NUMBER_UNORM && (float)most * (1.0f / (float)most) == 1.0f &&
-            (double)most * (1.0 / (double)most) == 1.0);
+    return plane == TL_OCCLUSION ? field_of_one(c, field) : 1;
 }
 
 /* Fields tell of the first plane of their attribute: a colour is neutral whole or not at all. A plane
@@ -122,6 +128,37 @@ static void list_fields(job *j)
                 atomic_fetch_or(&j->faults->telling, plane);
         }
     }
+}
+
+/* Of albedo and specular colour 0, of metallic 1: where a layout has no such bits, surfaces are taken to
+ * reflect. */
+static void list_black(job *j)
+{
+    for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
+        const enum tl_plane plane = values[i].first;
+        const tl_attribute *a =
+            (const void *)((const char *)j->planes.layout + values[i].attribute);
+        if (plane != TL_ALBEDO_R && plane != TL_SPECULAR_R && plane != TL_METALLIC)
+            continue;
+        for (int k = 0; k < 3 && (j->gbuffer->present & TL_HAS(plane)); k++) {
+            const tl_channel c = a->channels[k];
+            uint32_t field = 0;
+            if (!a->code || c.bits == 0)
+                continue;
+            if (plane == TL_METALLIC && !field_of_one(c, &field))
+                atomic_fetch_or(&j->faults->telling, TL_REFLECTS);
+            j->black[j->black_count++] = (telling_field){c.word, largest_field(c) << c.shift,
+                                                         field << c.shift, TL_REFLECTS};
+        }
+    }
+}
+
+static uint32_t reflects(const job *j, const tl_words *words)
+{
+    for (int i = 0; i < j->black_count; i++)
+        if ((words->of[j->black[i].word] & j->black[i].mask) != j->black[i].neutral)
+            return TL_REFLECTS;
+    return 0;
 }
 
 static uint32_t telling_planes(const job *j, const tl_words *words)
@@ -267,6 +304,8 @@ static void repair_pixel(const job *j,
     }
     counts->value += (unsigned)repair_values(j, words, column, row);
     *telling |= telling_planes(j, words);
+    if (!(*telling & TL_REFLECTS))
+        *telling |= reflects(j, words);
     if (j->gbuffer->present & TL_GROUP_BRDF)
         tl_index_note(indices, (uint32_t)channel_value(layout->brdf.channels[0], words));
     if (TL_IS_POSITION(layout->depth.code))
@@ -341,6 +380,7 @@ void tl_repair_packed(tl_gbuffer *gbuffer, tl_faults *faults)
                  tl_packing_of(&gbuffer->camera, gbuffer->layout, gbuffer->present, &frame)};
     list_values(&j);
     list_fields(&j);
+    list_black(&j);
     atomic_init(&j.slack_x, 0);
     atomic_init(&j.slack_y, 0);
     tl_parallel(gbuffer->camera.height, 4, rows_of[gbuffer->layout], &j);

@@ -157,6 +157,7 @@ typedef enum tl_effects_mode {
     X(TL_IDLE_BLACK, "black", "has no colour or no intensity")              \
     X(TL_IDLE_SHORT, "too-short", "has a range whose square is 0 in float") \
     X(TL_IDLE_NARROW, "too-narrow", "has a cone without width")             \
+    X(TL_IDLE_DARK, "no-reflection", "shines where nothing reflects light") \
     X(TL_IDLE_NO_GLOSS, "no-gloss", "has a specular lobe alone, and nothing has highlights")
 
 typedef enum tl_idle_light {
@@ -178,10 +179,12 @@ typedef struct tl_explanation {
     uint32_t assumed; /* causes that TL_EFFECTS_ALL takes for there beside them */
     uint32_t
         without; /* effects taken out all the same, to see what they cost: another picture */
-    uint32_t present;                      /* planes of the frame, bits 1 << plane */
-    uint32_t neutral;                      /* those that say nothing: tl_gbuffer.neutral */
-    uint32_t idle;                         /* those that are not read */
-    tl_some_lights lights[TL_CAUSE_COUNT]; /* of causes of lights */
+    uint32_t present; /* planes of the frame, bits 1 << plane */
+    uint32_t neutral; /* those that say nothing: tl_gbuffer.neutral */
+    uint32_t
+        is_dark; /* 1: no surface reflects light: tl_gbuffer.is_dark, and no row of materials in use */
+    uint32_t idle;                                   /* those that are not read */
+    tl_some_lights lights[TL_CAUSE_COUNT];           /* of causes of lights */
     tl_some_lights idle_lights[TL_IDLE_LIGHT_COUNT]; /* add nothing; left out with AUTO */
 } tl_explanation;
 

@@ -68,6 +68,9 @@ typedef struct tl_gbuffer {
      * whole. 0 until tl_gbuffer_repair has found them; lighting does not read them. Whoever
      * writes planes afterwards makes it 0 again, or repairs anew. */
     uint32_t neutral;
+    /* 1: no surface reflects light by its planes: they are black, or metals without colour, as unlit ones
+     * are stored. 0 until tl_gbuffer_repair has found it, and again as above. */
+    int is_dark;
     /* Indices that surfaces have in the plane brdf: bit i % 32 of [i / 32] for index i. Not known until
      * tl_gbuffer_repair has found them, as `neutral` is not. */
     uint32_t indices[(TL_MAX_MATERIALS + 32) / 32];
