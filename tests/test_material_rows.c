@@ -36,8 +36,7 @@ static uint32_t row_at(uint32_t x, uint32_t y)
 static tl_gbuffer *frame_of(uint32_t present)
 {
     const tl_camera camera = camera_of(WIDTH, HEIGHT, TL_PERSPECTIVE);
-    tl_gbuffer *from = random_gbuffer(&camera, present & ~(uint32_t)TL_GROUP_BRDF, 11),
-               *g = NULL;
+    tl_gbuffer *from = random_gbuffer(&camera, present & (TL_HAS(TL_BRDF) - 1u), 11), *g = NULL;
     tl_error err;
     ASSERT_OK(tl_gbuffer_create(&camera, present, &g, &err), err);
     for (int p = 0; p < TL_BRDF; p++)
@@ -235,6 +234,45 @@ static void widths_and_tangents_reach_rows(void **state)
     tl_gbuffer_destroy(g);
 }
 
+/* A pixel's tangent stands before its row's direction, and that where it has none before the frame's. */
+static void tangents_stand_before_directions(void **state)
+{
+    static const float along[] = {0.5f, 0.25f, -2.0f};
+    tl_lighting_options options = tl_lighting_options_default();
+    tl_image *pictures[3];
+    (void)state;
+    options.precision = TL_PRECISION_TWIN;
+    for (int i = 0; i < 3; i++) { /* by the row; by tangents; by neither */
+        const uint32_t more = i == 1 ? TL_GROUP_BRDF | TL_GROUP_TANGENT : TL_GROUP_BRDF;
+        tl_gbuffer *g = frame_of(TL_GROUP_BASE | TL_GROUP_PHONG | more);
+        tl_light_set set = {.model = TL_MODEL_PHONG};
+        tl_material_row row = tl_material_row_default();
+        tl_error err;
+        row.index = 5;
+        row.model = TL_MODEL_WARD_ANISOTROPIC;
+        row.given = TL_TAKES_ROUGHNESS | TL_TAKES_ACROSS | (i < 2 ? TL_TAKES_DIRECTION : 0);
+        row.roughness = 0.4f;
+        row.across = 0.8f;
+        set_plane(g, TL_BRDF, 5.0f);
+        for (int axis = 0; axis < 3; axis++) {
+            row.direction[axis] = i == 0 ? along[axis] : axis == 0 ? 1.0f : 0.0f;
+            set_plane(g, (enum tl_plane)(TL_TANGENT_X + axis), along[axis]);
+        }
+        ASSERT_OK(tl_gbuffer_repair(g, "frame", false, NULL, &err), err);
+        add_lights(&g->camera, &set);
+        ASSERT_OK(tl_light_set_add_material(&set, &row, &err), err);
+        pictures[i] = image_like(g);
+        light_frame(NULL, &options, g, &set, pictures[i]);
+        tl_light_set_clear(&set);
+        tl_gbuffer_destroy(g);
+    }
+    assert_same_image(pictures[1], pictures[0], "a tangent as a direction");
+    assert_memory_not_equal(tl_image_plane(pictures[2], 0), tl_image_plane(pictures[0], 0),
+                            WIDTH * sizeof(float));
+    for (int i = 0; i < 3; i++)
+        tl_image_destroy(pictures[i]);
+}
+
 /* Of each model a row that gives nothing, and one that gives all that it takes; index 0 has none. */
 static void add_rows_of_every_model(tl_light_set *set)
 {
@@ -386,6 +424,7 @@ int main(void)
         cmocka_unit_test(every_way_finds_the_row),
         cmocka_unit_test(every_value_is_within_its_bounds),
         cmocka_unit_test(widths_and_tangents_reach_rows),
+        cmocka_unit_test(tangents_stand_before_directions),
         cmocka_unit_test(rows_of_one_model_are_plain),
         cmocka_unit_test(merlins_bits_lead_to_rows),
         cmocka_unit_test(indices_that_select_nothing_change_nothing),

@@ -392,14 +392,13 @@ static void add_unlit(const tl_frame *frame, pixel in, interval sum[3])
     }
 }
 
-/* The frame as this pixel has it: of the one model that its row names, with a lobe where that has one. */
+/* The frame as this pixel has it: of the one model that its row names. */
 static tl_prepared prepared_at(const tl_prepared *prepared, pixel in)
 {
     tl_prepared own = *prepared;
     if (reads_planes(own.needs, TL_GROUP_BRDF)) {
         own.needs.model = own.rows[(tl_u32)in.brdf].model;
         own.needs.models = 1u << own.needs.model;
-        own.needs.specular &= (tl_u32)lobe_has(own.needs, TL_LOBE_SPECULAR);
     }
     return own;
 }
