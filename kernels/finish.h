@@ -35,6 +35,7 @@ TL_INLINE finish finish_of(tl_needs needs, surface s, substance m)
     f.model = m.model;
     f.n_dot_v = a_cosine(dot3(s.normal, s.to_eye));
     f.alpha2 = m.alpha2;
+    f.half_alpha2 = R(0.5) * m.alpha2;
     f.masking = smith_root(m.alpha2, f.n_dot_v);
     f.f90 = grazing_reflectance(m.specular);
     const real sigma2 = SQRT(m.alpha2);

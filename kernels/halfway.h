@@ -5,15 +5,12 @@
 #include "specular.h"
 #include "surface.h"
 
-/* With h = l + |l| v, |l| times as long as the sum of the unit vectors. Squares of cosine and sine of the
- * angle between n and h are what specular.h derives; both stay finite where h vanishes, where `above` says
- * that there is no lobe. */
+/* h is the sum of the unit vectors. Squares of cosine and sine of the angle between n and h are those of
+ * specular.h; both stay finite where h vanishes, where `above` says that there is no lobe. */
 typedef struct halfway {
     vec3 across;      /* the part of h across n */
-    real per_length2; /* 1/|h|^2 */
-    real cos2, sin2;  /* between n and h; 0 to 1 */
-    real n_dot_h;     /* of the long h */
-    real eye2;        /* (v.h)^2 of unit vectors, |h|^2 / (2 |l|)^2 */
+    real n_dot_h;
+    real length2;     /* |h|^2: four times the square of v.h, of unit vectors */
     mask above;       /* h is above the surface */
 } halfway;
 
@@ -31,24 +28,37 @@ TL_INLINE real a_cosine(real v)
 
 TL_INLINE halfway halfway_of(surface s, meeting m)
 {
-    const vec3 h = fma3(s.to_eye, m.length, m.l);
-    const real length2 = dot3(h, h);
+    const vec3 h = fma3(m.l, m.per_length, s.to_eye);
     halfway a;
-    a.per_length2 = R(1.0) / length2;
+    a.length2 = dot3(h, h);
     a.n_dot_h = dot3(s.normal, h);
     a.across = fma3(s.normal, -a.n_dot_h, h);
-    a.cos2 = at_most_one(a.n_dot_h * a.n_dot_h * a.per_length2);
-    a.sin2 = at_most_one(dot3(a.across, a.across) * a.per_length2);
-    a.eye2 = at_most_one(R(0.25) * length2 * (m.per_length * m.per_length));
     a.above = a.n_dot_h > R(0.0);
     return a;
+}
+
+/* Between n and h: 0 to 1. */
+TL_INLINE real cos2_of(halfway a, real per_length2)
+{
+    return at_most_one(a.n_dot_h * a.n_dot_h * per_length2);
+}
+
+TL_INLINE real sin2_of(halfway a, real per_length2)
+{
+    return at_most_one(dot3(a.across, a.across) * per_length2);
+}
+
+/* The square of v.h, of unit vectors. */
+TL_INLINE real eye2_of(halfway a)
+{
+    return at_most_one(R(0.25) * a.length2);
 }
 
 /* (1 - v.h)^5: Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", Computer Graphics Forum
  * 13(3), 1994, equation 15. */
 TL_INLINE real schlick_weight(halfway a)
 {
-    const real away = R(1.0) - SQRT(a.eye2);
+    const real away = R(1.0) - SQRT(eye2_of(a));
     const real away2 = away * away;
     return away2 * away2 * away;
 }
@@ -64,10 +74,10 @@ TL_INLINE real exp_of_negative(real x)
 /* exp(-tan^2/alpha^2) / cos^4, tan the tangent between n and h: what Beckmann's and Ward's distributions
  * have in common. slope2: tan^2/alpha^2 times cos^2. cos^2 is above 1/45 where the power is not 0, alpha
  * being 1 at most; it is kept above 0 elsewhere. */
-TL_INLINE real gaussian_slopes(halfway a, real slope2)
+TL_INLINE real gaussian_slopes(real cos2, real slope2)
 {
-    const real cos2 = pick(a.cos2 > R(0x1p-20), a.cos2, R(0x1p-20));
-    return exp_of_negative(slope2 / cos2) / (cos2 * cos2);
+    const real bounded = pick(cos2 > R(0x1p-20), cos2, R(0x1p-20));
+    return exp_of_negative(slope2 / bounded) / (bounded * bounded);
 }
 
 #endif

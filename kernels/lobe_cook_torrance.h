@@ -11,7 +11,7 @@
  * lobe_metal_rough.h has it, for the paper's needs an index of refraction, of which a material has only the
  * reflectance at normal incidence.
  *
- * With h as halfway.h has it, 2 n.h / v.h = 4 |l| n.h / |h|^2. */
+ * With h the sum of the unit vectors, 2 n.h / v.h = 4 n.h / |h|^2. */
 #ifndef TL_LOBE_COOK_TORRANCE_H
 #define TL_LOBE_COOK_TORRANCE_H
 
@@ -29,9 +29,11 @@ TL_INLINE reflection cook_torrance_reflection(surface s, finish f, meeting m)
     const halfway a = halfway_of(s, m);
     const real away = ABSOLUTE(f.n_dot_v);
     const real eye = pick(away > TL_LEAST_FACING, away, TL_LEAST_FACING);
-    const real valley = R(4.0) * m.length * a.n_dot_h * a.per_length2;
+    const real per_length2 = R(1.0) / a.length2;
+    const real cos2 = cos2_of(a, per_length2), sin2 = sin2_of(a, per_length2);
+    const real valley = R(4.0) * a.n_dot_h * per_length2;
     const real masked = at_most_one(valley * lesser(eye, m.cosine));
-    const real facets = gaussian_slopes(a, a.sin2 / f.alpha2) / (f.alpha2 * (R(4.0) * eye));
+    const real facets = gaussian_slopes(cos2, sin2 / f.alpha2) / (f.alpha2 * (R(4.0) * eye));
     reflection r = {m.arriving, pick(a.above, m.weight * (facets * masked), R(0.0)), R(0.0)};
     r.grazing = r.specular * schlick_weight(a);
     return r;

@@ -13,8 +13,9 @@
  * describes, and costs the same.
  *
  * In D the denominator is taken as alpha^2 cos^2 + sin^2 (specular.h): a sum, so that it is as accurate at
- * the peak of a mirror, where the form above cancels. Off by 14u + 100u^2/alpha^2 of itself for exact h: the
- * second term is the length of n, 50u^2 of sin^2. F90 is 1 from F0 = 0.02 on and falls to 0 with F0, for no
+ * the peak of a mirror, where the form above cancels, and both are left times |h|^2, so that D and V take one
+ * quotient. Off by 20u + 100u^2/alpha^2 of itself for exact h: the second term is the length of n, 50u^2 of
+ * sin^2. F90 is 1 from F0 = 0.02 on and falls to 0 with F0, for no
  * substance reflects less, but a material may (Lagarde and de Rousiers, "Moving Frostbite to PBR", SIGGRAPH
  * 2014, section 3.1.3): so a surface without a specular colour has no highlights at grazing angles either,
  * and an unlit one reflects nothing. */
@@ -24,6 +25,8 @@
 #include "halfway.h"
 
 #define TL_LEAST_MASKED R(1e-12)
+#define TL_LEAST_SPREAD \
+    R(0x1p-33) /* |h| is less than 2^-10 there: v and l 0.06 degrees from opposite */
 
 /* sqrt(alpha^2 + (1 - alpha^2) cos^2) */
 TL_INLINE real smith_root(real alpha2, real cosine)
@@ -38,10 +41,11 @@ TL_INLINE reflection metal_rough_reflection(tl_needs needs, surface s, finish f,
     reflection r = {m.arriving * FMA(-graze, f.f90, R(1.0)), R(0.0), R(0.0)};
     if (needs.specular) {
         const real eye = ABSOLUTE(f.n_dot_v);
-        const real spread = FMA(f.alpha2, a.cos2, a.sin2);
+        const real spread = FMA(f.alpha2, a.n_dot_h * a.n_dot_h, dot3(a.across, a.across));
+        const real wide = pick(spread > TL_LEAST_SPREAD, spread, TL_LEAST_SPREAD);
         const real masked = FMA(m.cosine, f.masking, eye * smith_root(f.alpha2, m.cosine));
         const real bounded = pick(masked > TL_LEAST_MASKED, masked, TL_LEAST_MASKED);
-        const real lobe = R(0.5) * f.alpha2 / (spread * spread * bounded);
+        const real lobe = f.half_alpha2 * (a.length2 * a.length2) / (wide * wide * bounded);
         r.specular = pick(a.above, m.arriving * lobe, R(0.0));
         r.grazing = r.specular * graze;
     }

@@ -22,13 +22,15 @@
 TL_INLINE reflection ward_reflection(tl_needs needs, surface s, finish f, meeting m)
 {
     const halfway a = halfway_of(s, m);
-    real slope2 = a.sin2 * f.per_wide2;
+    const real per_length2 = R(1.0) / a.length2;
+    real slope2 = sin2_of(a, per_length2) * f.per_wide2;
     if (some_lobe_has(needs, TL_LOBE_TANGENT)) {
         const real along = dot3(a.across, f.sharp);
-        slope2 = FMA(along * along, a.per_length2, slope2);
+        slope2 = FMA(along * along, per_length2, slope2);
     }
-    const real half2 = pick(a.eye2 > TL_LEAST_HALF2, a.eye2, TL_LEAST_HALF2);
-    const real lobe = gaussian_slopes(a, slope2) * f.per_area / half2;
+    const real eye2 = eye2_of(a);
+    const real half2 = pick(eye2 > TL_LEAST_HALF2, eye2, TL_LEAST_HALF2);
+    const real lobe = gaussian_slopes(cos2_of(a, per_length2), slope2) * f.per_area / half2;
     const reflection r = {m.arriving, pick(a.above, m.arriving * lobe, R(0.0)), R(0.0)};
     return r;
 }

@@ -17,6 +17,7 @@ typedef struct finish {
     integer model;   /* a row of models.h; reflects_by is what to ask */
     real n_dot_v;    /* below 0 where the normal is turned from the eye */
     real alpha2;     /* square of the lobe's width: metal-rough, Cook-Torrance */
+    real half_alpha2; /* metal-rough */
     real masking;    /* smith_root of n_dot_v: metal-rough */
     real f90;        /* reflectance at grazing angles: metal-rough */
     real flat, bent; /* A and B: Oren-Nayar */

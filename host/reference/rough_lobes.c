@@ -234,8 +234,8 @@ static rough_reflection metal_rough(
     const interval lobe = {0.5 * alpha2.low / (spread.high * spread.high) * low,
                            0.5 * alpha2.high / (spread.low * spread.low) * high};
     r.specular = rounded(lobe, 2.0 * division + 8.0);
-    /* Denominators below 1e-12 are not taken, nor what is below the horizon. */
-    if (cosine.low < 1e-9 || !a.is_known || a.angle + a.turn > right)
+    /* Denominators below 1e-12 are not taken, nor |h| below 2^-10, nor what is below the horizon. */
+    if (cosine.low < 1e-9 || a.eye.low < 0x1p-10 || !a.is_known || a.angle + a.turn > right)
         r.specular.low = 0.0;
     r.grazing = times(r.specular, graze);
     return r;
