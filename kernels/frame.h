@@ -41,8 +41,10 @@ typedef struct tl_frame {
      * of the buffer of lights. 0: the frame has none. */
     tl_u32 brdfs_at, shapes_at, sky_at;
     tl_u32 calls_at; /* what each light calls for: choices.h */
+    float exponent;  /* of all surfaces, where they have one (needs.h); else 0 */
+    tl_u32 unused[3];
 } tl_frame;
-TL_STATIC_ASSERT(sizeof(tl_frame) == 176, frame_is_eleven_rows);
+TL_STATIC_ASSERT(sizeof(tl_frame) == 192, frame_is_twelve_rows);
 
 #define TL_SECTION_ROW 16 /* bytes */
 

@@ -23,14 +23,17 @@ typedef struct tl_needs {
     tl_u32 idle;
     tl_u32 models; /* rows of models.h in use, bits 1 << row: `model`, and those of materials */
     tl_u32 choices; /* what tiles choose for themselves, bits of choices.h */
+    tl_u32
+        fixed_exponent; /* 1: all surfaces have the exponent of the frame, in place of their own */
 } tl_needs;
 
 #ifdef __OPENCL_C_VERSION__
 TL_INLINE tl_needs needs_of_build(void)
 {
-    const tl_needs needs = {TL_PRESENT, TL_FALLOFFS_USED, TL_SPECULAR,    TL_ORTHOGRAPHIC,
-                            TL_LAYOUT,  TL_MODEL,         TL_SPOTS,       TL_ONE_COLOR,
-                            TL_AMBIENT, TL_IDLE,          TL_MODELS_USED, TL_CHOICES};
+    const tl_needs needs = {TL_PRESENT,       TL_FALLOFFS_USED, TL_SPECULAR,    TL_ORTHOGRAPHIC,
+                            TL_LAYOUT,        TL_MODEL,         TL_SPOTS,       TL_ONE_COLOR,
+                            TL_AMBIENT,       TL_IDLE,          TL_MODELS_USED, TL_CHOICES,
+                            TL_FIXED_EXPONENT};
     return needs;
 }
 #endif

@@ -26,6 +26,7 @@
  *   models         the rows of models.h that surfaces of the scene use, bits 1 << row: `model`, and those
  *                  of its materials
  *   choices        effects that tiles choose for themselves, bits of choices.h
+ *   fixed_exponent 1: surfaces have the exponent of the frame
  *   timed          1: shade_tiles takes another argument and says there when it began and ended a tile */
 #define TL_KERNEL_OPTIONS(X)           \
     X(TL_WIDTH, width)                 \
@@ -44,7 +45,8 @@
     X(TL_IDLE, idle)                   \
     X(TL_MODELS_USED, models)          \
     X(TL_CHOICES, choices)             \
-    X(TL_TIMED, timed)
+    X(TL_TIMED, timed)                 \
+    X(TL_FIXED_EXPONENT, fixed_exponent)
 
 #ifdef __OPENCL_C_VERSION__
 #    if !defined(TL_WIDTH) || !defined(TL_BY_PIXEL) || !defined(TL_REAL_DOUBLE) ||        \
@@ -52,7 +54,7 @@
         !defined(TL_PRESENT) || !defined(TL_SPECULAR) || !defined(TL_FALLOFFS_USED) ||    \
         !defined(TL_MODEL) || !defined(TL_SPOTS) || !defined(TL_ONE_COLOR) ||             \
         !defined(TL_AMBIENT) || !defined(TL_IDLE) || !defined(TL_MODELS_USED) ||          \
-        !defined(TL_CHOICES) || !defined(TL_TIMED)
+        !defined(TL_CHOICES) || !defined(TL_FIXED_EXPONENT) || !defined(TL_TIMED)
 #        error "build the kernels through tl_program_build(), which passes every option"
 #    endif
 #    if TL_BY_PIXEL && TL_WIDTH != 1

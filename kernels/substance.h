@@ -62,6 +62,10 @@ TL_INLINE substance substance_of(const tl_frame *frame, tl_needs needs, pixel of
         m.alpha2 = alpha2_of_exponent(of.shininess);
         m.below = below_specular(of.specular);
     }
+    if (needs.fixed_exponent) {
+        m.shininess = (real)frame->exponent;
+        m.alpha2 = alpha2_of_exponent(m.shininess);
+    }
     m.across2 = m.alpha2;
     m.k = k_of_alpha2(m.alpha2);
     m.along.x = (real)frame->view_from_world[0][1];

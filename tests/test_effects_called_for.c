@@ -31,6 +31,7 @@ typedef struct scene {
     uint32_t present, neutral;
     lamp lamps[2]; /* intensity 0 and no diffuse: no lamp */
     float ambient, sky;
+    int has_shininess;
     enum tl_shading_model model;
     uint32_t
         row; /* index that has a row of materials, of this model and specular colour; 0: none */
@@ -41,7 +42,8 @@ typedef struct scene {
     tl_effects_mode mode;
     uint32_t effects; /* expected: all of them */
     struct {
-        tl_u32 falloffs, spots, specular, ambient, orthographic, one_color, idle;
+        tl_u32 falloffs, spots, specular, ambient, orthographic, one_color, idle,
+            fixed_exponent;
     } needs;                                         /* expected */
     uint32_t light_count, idle[TL_IDLE_LIGHT_COUNT]; /* expected */
 } scene;
@@ -96,6 +98,15 @@ static const scene minimal[TL_EFFECT_COUNT] = {
                            .model = TL_MODEL_COOK_TORRANCE,
                            .effects = ON(METAL_ROUGH) | ON(MODEL) | ON(WIDTH) | ON(FRESNEL)},
     [TL_EFFECT_ROWS] = {"a row of materials", INDEXED, .row = 3, .effects = ON(ROWS)},
+    [TL_EFFECT_EXPONENT] = {"an exponent for all surfaces", PHONG, .has_shininess = 1,
+                            .lamps = {{ANY_LIGHT, .is_directional = 1, .specular = 1.0f}},
+                            .effects =
+                                ON(GLOBAL) | ON(DIRECTIONAL) | ON(SPECULAR) | ON(EXPONENT),
+                            .needs = {.falloffs = FADE(NONE),
+                                      .specular = 1,
+                                      .fixed_exponent = 1,
+                                      .idle = TL_HAS(TL_SHININESS)},
+                            .light_count = 1},
     [TL_EFFECT_ONE_COLOR] = {"a white light, grey specular colours and a model that tints",
                              PHONG, .layout = TL_LAYOUT_ISPC,
                              .model = TL_MODEL_BLINN_PHONG_NORMALIZED,
@@ -217,7 +228,7 @@ static tl_prepared prepared_of(const scene *s)
 {
     static const double eye[3] = {0, 0, 0}, target[3] = {0, 0, -1}, up[3] = {0, 1, 0};
     tl_camera camera = tl_camera_look_at(eye, target, up, 1.0, 8, 8, 0.1, 100.0);
-    tl_light_set lights = {.model = s->model};
+    tl_light_set lights = {.model = s->model, .has_shininess = s->has_shininess};
     tl_prepared prepared = {0};
     tl_gbuffer *g = NULL;
     tl_error err;
@@ -266,6 +277,7 @@ static void expect(const scene *s)
                             .ambient = s->needs.ambient,
                             .orthographic = s->needs.orthographic,
                             .one_color = s->needs.one_color,
+                            .fixed_exponent = s->needs.fixed_exponent,
                             .idle = s->needs.idle};
     expect_effects(s, p.explanation.effects);
     if (memcmp(&p.needs, &needs, sizeof needs) != 0)

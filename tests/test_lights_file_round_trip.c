@@ -72,6 +72,8 @@ static void assert_same_lights(const tl_light_set *a, const tl_light_set *b)
     assert_memory_equal(a->ambient, b->ambient, sizeof a->ambient);
     assert_memory_equal(a->sky, b->sky, sizeof a->sky);
     assert_int_equal(a->model, b->model);
+    assert_int_equal(a->has_shininess, b->has_shininess);
+    assert_true(same_bits(a->shininess, b->shininess));
     assert_int_equal(a->material_count, b->material_count);
     for (size_t i = 0; i < a->material_count; i++) {
         const tl_material_row *x = &a->materials[i], *y = &b->materials[i];
@@ -93,6 +95,8 @@ static void bit_for_bit(void **state)
     tl_light_set set = {.ambient = {0.1f, 1e-40f, 3.0f}, .sky = {0.7f, 0.0f, 1e29f}},
                  back = {0};
     set.model = TL_MODEL_BLINN_PHONG_NORMALIZED;
+    set.has_shininess = 1;
+    set.shininess = 12.3f;
     uint32_t random = 1;
     char *text = NULL;
     for (int i = 0; i < 3000; i++) {

@@ -130,11 +130,54 @@ static void what_is_off_a_little_is_refused(void **state)
             }
 }
 
+static tl_image *twin_of(const tl_gbuffer *g, const tl_light_set *lights)
+{
+    tl_prepared prepared = {0};
+    tl_image *image = image_like(g);
+    tl_error err;
+    ASSERT_OK(
+        tl_prepare(g, lights, &(tl_prepare_options){.tile_size = 16}, NULL, &prepared, &err),
+        err);
+    tl_reference_light(&prepared, g, TL_TWIN_FLOAT, image);
+    tl_prepared_clear(&prepared);
+    return image;
+}
+
+/* Bit for bit, whatever the pixels' own are. */
+static void one_exponent_for_all_is_that_of_every_pixel(void **state)
+{
+    (void)state;
+    for (int model = 0; model < TL_MODEL_COUNT; model++) {
+        tl_light_set lights = {0};
+        tl_gbuffer *g = small_frame(planes[0], &lights);
+        lights.model = (enum tl_shading_model)model;
+        lights.has_shininess = 1;
+        lights.shininess = 37.5f;
+        tl_image *all = twin_of(g, &lights);
+        lights.has_shininess = 0;
+        tl_image *own = twin_of(g, &lights);
+        for (size_t at = 0; at < (size_t)g->pitch * g->rows; at++)
+            set_pixel(g, TL_SHININESS, at, 37.5f);
+        tl_image *each = twin_of(g, &lights);
+        assert_same_image(all, each, words[model]);
+        const int counts = (traits_of((tl_u32)model) & (TL_LOBE_SPECULAR | TL_LOBE_WIDTH)) != 0;
+        assert_int_equal(memcmp(tl_image_plane(all, 0), tl_image_plane(own, 0),
+                                (size_t)g->pitch * g->rows * sizeof(float)) != 0,
+                         counts);
+        tl_image_destroy(each);
+        tl_image_destroy(own);
+        tl_image_destroy(all);
+        tl_light_set_clear(&lights);
+        tl_gbuffer_destroy(g);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(floats_are_within),
         cmocka_unit_test(what_is_off_a_little_is_refused),
+        cmocka_unit_test(one_exponent_for_all_is_that_of_every_pixel),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -93,6 +93,8 @@ tl_status tl_baseline_check(const tl_needs *needs,
         return tl_fail(err, TL_ERR_UNSUPPORTED, "knows the shading model phong alone");
     if (reads_planes(*needs, TL_GROUP_BRDF))
         return tl_fail(err, TL_ERR_UNSUPPORTED, "knows no rows of materials");
+    if (needs->fixed_exponent)
+        return tl_fail(err, TL_ERR_UNSUPPORTED, "knows no exponent for all surfaces");
     if (needs->spots)
         return tl_fail(err, TL_ERR_UNSUPPORTED, "knows no spot lights");
     if (needs->falloffs & ~falloffs)

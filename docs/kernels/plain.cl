@@ -116,6 +116,8 @@ __kernel void plain(const tl_frame frame,
                 specular = 0.04f + metallic * (albedo - 0.04f);
                 exponent = 2.0f / fmax(alpha * alpha, 0.0001999600f) - 2.0f;
             }
+            if (TL_FIXED_EXPONENT)
+                exponent = frame.exponent;
             const bool normalized = TL_MODEL == TL_MODEL_BLINN_PHONG_NORMALIZED;
             if (normalized)
                 specular *= diffuse * ((exponent + 2.0f) / 8.0f);

@@ -91,6 +91,8 @@ void info_print_lights(const tl_light_set *set)
            (double)set->ambient[0], (double)set->ambient[1], (double)set->ambient[2],
            (double)set->sky[0], (double)set->sky[1], (double)set->sky[2]);
     printf("model       %s\n", tl_model_words[set->model]);
+    if (set->has_shininess)
+        printf("shininess   %.6g, of all surfaces\n", (double)set->shininess);
     for (size_t i = 0; i < set->material_count; i++)
         print_row(&set->materials[i], i == 0 ? "materials" : "");
     for (tl_light_type type = 0; type < TL_LIGHT_TYPE_COUNT; type++) {
@@ -127,8 +129,9 @@ json_t *info_lights_json(const tl_light_set *set)
         if (info.count > 0)
             json_object_set_new(types, type_words[type], type_json(&info));
     }
-    return json_pack("{sI so so ss so so}", "count", (json_int_t)set->count, "ambient",
+    json_t *shininess = set->has_shininess ? json_real((double)set->shininess) : json_null();
+    return json_pack("{sI so so ss so so so}", "count", (json_int_t)set->count, "ambient",
                      tl_json_numbers(set->ambient, 3), "sky", tl_json_numbers(set->sky, 3),
-                     "model", tl_model_words[set->model], "materials", rows_json(set), "types",
-                     types);
+                     "model", tl_model_words[set->model], "shininess", shininess, "materials",
+                     rows_json(set), "types", types);
 }

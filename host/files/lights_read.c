@@ -247,6 +247,15 @@ static tl_status read_model(const tl_place *at, json_t *value, tl_light_set *set
     return status;
 }
 
+static tl_status read_shininess(const tl_place *at,
+                                json_t *value,
+                                tl_light_set *set,
+                                tl_error *err)
+{
+    set->has_shininess = 1;
+    return tl_read_number(at, "shininess", value, &set->shininess, err);
+}
+
 /* Once the rest is read: rows that name no model have the set's. */
 static tl_status read_later(const tl_place *at, json_t *value, tl_light_set *set, tl_error *err)
 {
@@ -264,7 +273,8 @@ static tl_status read_top(const char *source, json_t *root, tl_light_set *set, t
         tl_status (*read)(const tl_place *at, json_t *value, tl_light_set *set, tl_error *err);
     } members[] = {{"tilelight", read_version}, {"ambient", read_ambient},
                    {"sky", read_sky},           {"lights", read_lights},
-                   {"model", read_model},       {"materials", read_later}};
+                   {"model", read_model},       {"shininess", read_shininess},
+                   {"materials", read_later}};
     enum { MEMBER_COUNT = sizeof members / sizeof members[0] };
     tl_status status = TL_OK;
     const tl_place at = {.source = source};

@@ -134,6 +134,10 @@ static void print_set(FILE *out, const tl_light_set *set)
     fputs(" }", out);
     if (set->model != (enum tl_shading_model)0)
         fprintf(out, ",\n  \"model\": \"%s\"", tl_model_words[set->model]);
+    if (set->has_shininess) {
+        fputs(",\n  \"shininess\": ", out);
+        print_number(out, set->shininess);
+    }
     print_materials(out, set);
     fputs(",\n  \"lights\": [", out);
     for (size_t i = 0; i < set->count; i++) {

@@ -221,6 +221,7 @@ static tl_frame frame_of(const tl_gbuffer *gbuffer,
     tl_view_set(camera, gbuffer->layout, &frame);
     frame.slack_x = gbuffer->slack_x;
     frame.slack_y = gbuffer->slack_y;
+    frame.exponent = lights->has_shininess ? lights->shininess : 0.0f;
     memcpy(frame.ambient, lights->ambient, sizeof frame.ambient);
     memcpy(frame.sky, lights->sky, sizeof frame.sky);
     return frame;

@@ -73,6 +73,8 @@ tl_explanation tl_causes_of_frame(const tl_gbuffer *gbuffer,
         e.causes |= TL_BY(TL_CAUSE_AMBIENT);
     if (is_lit_by(lights->sky))
         e.causes |= TL_BY(TL_CAUSE_SKY);
+    if (lights->has_shininess)
+        e.causes |= TL_BY(TL_CAUSE_EXPONENT);
     e.causes |= causes_of_rows(table);
     if (gbuffer->camera.projection == TL_ORTHOGRAPHIC)
         e.causes |= TL_BY(TL_CAUSE_PARALLEL);
@@ -157,6 +159,8 @@ static uint32_t idle_planes(const tl_explanation *e)
     for (int i = 0; i < TL_EFFECT_COUNT; i++)
         if (is_on(e, (tl_effect)i))
             read |= tl_effect_rows[i].planes;
+    if (is_on(e, TL_EFFECT_EXPONENT)) /* in place of what they say */
+        read &= ~(TL_HAS(TL_SHININESS) | TL_HAS(TL_ROUGHNESS));
     return e->present & ~(e->assumed ? read : read & ~e->neutral);
 }
 
@@ -184,6 +188,7 @@ tl_needs tl_needs_of_causes(tl_explanation *e,
                       .spots = (tl_u32)is_on(e, TL_EFFECT_SPOTS),
                       .one_color = (tl_u32)is_on(e, TL_EFFECT_ONE_COLOR),
                       .ambient = (tl_u32)is_on(e, TL_EFFECT_AMBIENT),
+                      .fixed_exponent = (tl_u32)is_on(e, TL_EFFECT_EXPONENT),
                       .idle = e->idle};
     for (int row = 0; row < TL_FADE_COUNT; row++)
         if (is_on(e, falloff_effects[row]))

@@ -139,6 +139,7 @@ tl_kernel_options tl_lighting_kernels(const tl_lighting *lighting, const tl_need
                                .ambient = needs->ambient,
                                .idle = needs->idle,
                                .models = needs->models,
+                               .fixed_exponent = needs->fixed_exponent,
                                .choices = needs->choices};
 }
 

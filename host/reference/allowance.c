@@ -72,8 +72,9 @@ static double normal_error(const tl_frame *frame, vec3 world, double length)
 /* alpha^2 = roughness^4: 3u; the quotient 2/alpha^2: 8u and the constant's rounding; minus 2: u. */
 static interval exponent_of(tl_needs needs, double exponent)
 {
-    const double error =
-        needs.present & TL_GROUP_METAL_ROUGH ? U * 10.0 * (exponent + 2.0) : 0.0;
+    const double error = needs.present & TL_GROUP_METAL_ROUGH && !needs.fixed_exponent
+                             ? U * 10.0 * (exponent + 2.0)
+                             : 0.0;
     return (interval){clamp_low(exponent - error), exponent + error};
 }
 

@@ -157,6 +157,9 @@ tl_status tl_light_set_check(const tl_light_set *set, const char *source, tl_err
             return tl_fail(err, TL_ERR_FORMAT,
                            "%s: ambient and sky colours must be finite and not negative",
                            source);
+    if (set->has_shininess && !(set->shininess >= 0.0f && set->shininess <= 10000.0f))
+        return tl_fail(err, TL_ERR_FORMAT, "%s: shininess %g must be from 0 to 10000", source,
+                       (double)set->shininess);
     if ((unsigned)set->model >= TL_MODEL_COUNT)
         return tl_fail(err, TL_ERR_FORMAT, "%s: there is no shading model %u", source,
                        (unsigned)set->model);

@@ -47,6 +47,7 @@ typedef enum tl_cause_kind {
     X(TL_CAUSE_GRAIN, TL_CAUSE_OF_FRAME, "shading model that follows a direction")         \
     X(TL_CAUSE_TANGENT, TL_CAUSE_OF_PLANES, "tangent")                                     \
     X(TL_CAUSE_FRESNEL, TL_CAUSE_OF_FRAME, "shading model with Fresnel's reflectance")     \
+    X(TL_CAUSE_EXPONENT, TL_CAUSE_OF_FRAME, "shininess for all surfaces")                  \
     X(TL_CAUSE_ONE_COLOR, TL_CAUSE_OF_FRAME,                                               \
       "model that tints grey highlights, and lights of one colour each")                   \
     X(TL_CAUSE_PARALLEL, TL_CAUSE_OF_FRAME, "orthographic camera")
@@ -92,6 +93,8 @@ typedef enum tl_cause {
       TL_THREE(TL_SPECULAR_R) | TL_HAS(TL_METALLIC), "TL_MODEL")                               \
     X(TL_EFFECT_ROWS, "materials", "models and materials by the index of each pixel",          \
       TL_BY(TL_CAUSE_ROWS), TL_GROUP_BRDF, "TL_IDLE")                                          \
+    X(TL_EFFECT_EXPONENT, "fixed-exponent", "one exponent in place of each pixel's own",       \
+      TL_BY(TL_CAUSE_EXPONENT), 0, "TL_FIXED_EXPONENT")                                        \
     X(TL_EFFECT_ONE_COLOR, "one-color", "both lobes in one sum", TL_BY(TL_CAUSE_ONE_COLOR), 0, \
       "TL_ONE_COLOR")                                                                          \
     X(TL_EFFECT_AMBIENT, "ambient", "ambient light on the albedo", TL_BY(TL_CAUSE_AMBIENT), 0, \

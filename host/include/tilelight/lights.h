@@ -72,6 +72,8 @@ typedef struct tl_light_set {
     float ambient[3];            /* linear Rec. 709; multiplies albedo and occlusion */
     float sky[3];                /* radiance of pixels where nothing was hit */
     enum tl_shading_model model; /* how surfaces reflect */
+    int has_shininess;           /* 1: all surfaces have this exponent in place of their own */
+    float shininess;             /* 0 to 10000 */
     size_t count, capacity;
     tl_light *lights; /* [count] */
     size_t material_count;
