@@ -69,12 +69,21 @@ static double normal_error(const tl_frame *frame, vec3 world, double length)
     return U * (3.0 * sqrt(square) / length + 2.0);
 }
 
-/* alpha^2 = roughness^4: 3u; the quotient 2/alpha^2: 8u and the constant's rounding; minus 2: u. */
-static interval exponent_of(tl_needs needs, double exponent)
+/* Whether a parameter of the pixel comes from metal-rough planes: what its row gives is exact. */
+static int is_mapped(const tl_prepared *prepared, pixel in, enum tl_brdf_parameter parameter)
 {
-    const double error = needs.present & TL_GROUP_METAL_ROUGH && !needs.fixed_exponent
-                             ? U * 10.0 * (exponent + 2.0)
-                             : 0.0;
+    if (!(prepared->needs.present & TL_GROUP_METAL_ROUGH))
+        return 0;
+    return !reads_planes(prepared->needs, TL_GROUP_BRDF) ||
+           !(prepared->rows[(tl_u32)in.brdf].given & (tl_u32)parameter);
+}
+
+/* alpha^2 = roughness^4: 3u; the quotient 2/alpha^2: 8u and the constant's rounding; minus 2: u. */
+static interval exponent_of(const tl_prepared *prepared, pixel in, double exponent)
+{
+    const int is_computed =
+        !prepared->needs.fixed_exponent && is_mapped(prepared, in, TL_TAKES_EXPONENT);
+    const double error = is_computed ? U * 10.0 * (exponent + 2.0) : 0.0;
     return (interval){clamp_low(exponent - error), exponent + error};
 }
 
@@ -107,7 +116,7 @@ static rough_surface rough_surface_of(
                        .is_lit = world2 > 0.0,
                        .has_normal = keeps_square(world2),
                        .has_eye = parallel || keeps_square(eye2),
-                       .exponent = exponent_of(prepared->needs, exponent)};
+                       .exponent = exponent_of(prepared, in, exponent)};
     if (r.has_normal)
         r.normal_moved = normal_error(frame, in.normal, sqrt(world2));
     if (!parallel && r.has_eye)
@@ -309,12 +318,10 @@ typedef struct rough_material {
 } rough_material;
 
 /* (e + 2)/8, two roundings, and its product; the product with the diffuse colour. */
-static interval lobe_factors(
-    tl_needs needs, tl_u32 traits, double exponent, interval specular, interval diffuse)
+static interval lobe_factors(tl_u32 traits, interval e, interval specular, interval diffuse)
 {
     interval out = specular;
     if (traits & TL_LOBE_ENERGY) {
-        const interval e = exponent_of(needs, exponent);
         out.low *= (e.low + 2.0) / 8.0 * (1.0 - 3.0 * U);
         out.high *= (e.high + 2.0) / 8.0 * (1.0 + 3.0 * U);
     }
@@ -332,24 +339,23 @@ static rough_material rough_material_of(const tl_prepared *prepared, pixel in)
     const double diffuse[3] = {m.diffuse.x, m.diffuse.y, m.diffuse.z};
     const double specular[3] = {m.specular.x, m.specular.y, m.specular.z};
     const double base[3] = {in.albedo.x, in.albedo.y, in.albedo.z};
-    const int mixed = (needs.present & TL_GROUP_METAL_ROUGH) != 0;
+    const int diffuse_is_mixed = is_mapped(prepared, in, TL_TAKES_DIFFUSE);
+    const int specular_is_mixed = is_mapped(prepared, in, TL_TAKES_SPECULAR);
     const tl_u32 traits = traits_of(model_of(needs, &m));
     const interval f90 = tl_rough_f90(&m);
     rough_material out = {.exponent = m.shininess};
     for (int i = 0; i < 3; i++) {
-        out.diffuse[i] = around(diffuse[i], mixed ? 2.0 * U * diffuse[i] : 0.0);
+        out.diffuse[i] = around(diffuse[i], diffuse_is_mixed ? 2.0 * U * diffuse[i] : 0.0);
         /* 1 - F0, which is off as F0 is, and by u. */
         if (traits & TL_LOBE_BELOW)
             out.diffuse[i] = times(out.diffuse[i], around(m.below, 6.0 * U));
-        const double f0_off = mixed ? 4.0 * U * (TL_DIELECTRIC + base[i] * in.metallic) : 0.0;
+        const double f0_off =
+            specular_is_mixed ? 4.0 * U * (TL_DIELECTRIC + base[i] * in.metallic) : 0.0;
         if (traits & TL_LOBE_GRAZING)
             out.grazing[i] = (interval){clamp_low(f90.low - specular[i] - f0_off - U),
                                         clamp_low(f90.high - specular[i] + f0_off + U)};
-        out.specular[i] = lobe_factors(
-            needs, traits, m.shininess,
-            around(specular[i],
-                   mixed ? 4.0 * U * (TL_DIELECTRIC + base[i] * in.metallic) : 0.0),
-            out.diffuse[i]);
+        out.specular[i] = lobe_factors(traits, exponent_of(prepared, in, m.shininess),
+                                       around(specular[i], f0_off), out.diffuse[i]);
     }
     return out;
 }
