@@ -118,6 +118,29 @@ TL_INLINE int any_lane(mask which)
     return OR_LANES(which) != 0;
 }
 
+/* Numbers in memory that are looked up: from[at], lane by lane. */
+#    define TL_GLOBAL __global
+typedef TL_GLOBAL const float *tl_numbers;
+#    if TL_WIDTH == 16
+#        define GATHER(from, i)                                                 \
+            TO_REAL((TL_LANES(float))(                                          \
+                (from)[(i).s0], (from)[(i).s1], (from)[(i).s2], (from)[(i).s3], \
+                (from)[(i).s4], (from)[(i).s5], (from)[(i).s6], (from)[(i).s7], \
+                (from)[(i).s8], (from)[(i).s9], (from)[(i).sa], (from)[(i).sb], \
+                (from)[(i).sc], (from)[(i).sd], (from)[(i).se], (from)[(i).sf]))
+#    elif TL_WIDTH == 8
+#        define GATHER(from, i)                                                       \
+            TO_REAL((TL_LANES(float))((from)[(i).s0], (from)[(i).s1], (from)[(i).s2], \
+                                      (from)[(i).s3], (from)[(i).s4], (from)[(i).s5], \
+                                      (from)[(i).s6], (from)[(i).s7]))
+#    elif TL_WIDTH == 4
+#        define GATHER(from, i)                                                       \
+            TO_REAL((TL_LANES(float))((from)[(i).s0], (from)[(i).s1], (from)[(i).s2], \
+                                      (from)[(i).s3]))
+#    else
+#        define GATHER(from, i) ((real)(from)[i])
+#    endif
+
 /* From and to memory of any alignment: vloadN asks for none, a cast pointer would. LOAD widens
  * floats where real is double. */
 #    if TL_WIDTH == 1
@@ -193,6 +216,10 @@ TL_INLINE word32 REAL_AS_WORD(real x)
     return w;
 }
 #    define WHOLE_TO_WORD(x) ((word32)(int32_t)(x))
+
+#    define TL_GLOBAL
+typedef TL_GLOBAL const float *tl_numbers;
+#    define GATHER(from, i) ((real)(from)[i])
 
 TL_INLINE integer AS_INTEGER(real x)
 {

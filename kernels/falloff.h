@@ -7,6 +7,7 @@
  *   inverse square  max(0, 1 - (d/range)^4) / d^2. KHR_lights_punctual, "Range Property"; without
  *                   a range, 1 / d^2. A light is taken to be 1 cm in size: d is not below that,
  *                   else one pixel beside a bulb would outshine every other.
+ *   table           between samples that are evenly spaced from 0 to the range, as a lookup table does.
  *   none            1: directional light.
  *
  * What the weight is multiplied by decides `reaches` beforehand: the weights here are 0 at the
@@ -21,14 +22,38 @@ enum tl_falloff_row {
     TL_FADE_INVERSE_SQUARE,
     TL_FADE_NONE,
     TL_FADE_LINEAR_FROM,
+    TL_FADE_TABLE, /* of shapes alone */
     TL_FADE_COUNT
 };
 
 /* A light has room for one number beside its row, and linear-from needs two: its second is where the row
- * stands, as a float. That is 1 and above, whose bits no row's number reaches. */
+ * stands, as a float. That is 1 and above, whose bits no row's number reaches. Between rows and those bits
+ * stands the number of a light's shape (shape.h), which has its row then. */
+#define TL_BITS_OF_ONE 0x3f800000u
+
 TL_INLINE tl_u32 falloff_row(tl_u32 falloff)
 {
     return falloff < TL_FADE_COUNT ? falloff : (tl_u32)TL_FADE_LINEAR_FROM;
+}
+
+TL_INLINE int has_shape(tl_u32 falloff)
+{
+    return falloff >= TL_FADE_COUNT && falloff < TL_BITS_OF_ONE;
+}
+
+/* fade: `last` over the range. table: [last + 1] weights, the first at distance 0. Between two of them
+ * linear. The place among them is off by 2u of itself for the product and fade; the weight by 4u of the
+ * larger of the two beside that. 0 or above: rounded or not, a - b is no less than -b. */
+TL_INLINE real fade_by_table(real distance, scalar fade, tl_numbers table, tl_u32 last)
+{
+    const real place = distance * fade;
+    const real end = (real)(scalar)last;
+    const real inside = pick(place < end, place, end); /* what is no number, too */
+    const real whole = TO_REAL(TO_INTEGER(inside));
+    const real before = pick(whole < end, whole, end - R(1.0));
+    const integer at = TO_INTEGER(before);
+    const real low = GATHER(table, at), high = GATHER(table, at + 1);
+    return FMA(inside - before, high - low, low);
 }
 
 #define TL_MOST_PER_DISTANCE2 R(1e4) /* 1/m^2: of the nearest distance, 1 cm */

@@ -96,4 +96,40 @@ typedef struct tl_brdf {
 } tl_brdf;
 TL_STATIC_ASSERT(sizeof(tl_brdf) == 64, brdf_is_four_rows);
 
+/* A picture in the buffer of lights, and how it stands in view space: texture.h. Directions are of unit
+ * length, unless they are scaled so that lookups give pixels at once. */
+typedef struct tl_view_map {
+    float right[3];
+    tl_u32
+        pixels_at; /* row of the buffer: [height][width] of R, G, B, 0; 0: there is no picture */
+    float up[3];
+    tl_u32 width; /* px */
+    float ahead[3];
+    tl_u32 height;
+} tl_view_map;
+TL_STATIC_ASSERT(sizeof(tl_view_map) == 48, view_map_is_three_rows);
+
+/* What few lights have beside the rest: shape.h. A light that has it says so by `falloff`. */
+typedef struct tl_view_shape {
+    tl_view_map map;  /* what colours are multiplied with */
+    float ambient[3]; /* cd or lx, of the lobe that asks for no normal */
+    tl_u32 falloff;   /* that of the light, as others have it; TL_FADE_TABLE: by the table */
+    tl_u32 is_spot;   /* 1: the map is projected over the cone; 0: it is all around */
+    tl_u32 table_at;  /* row of the buffer where the table begins */
+    tl_u32
+        table_last; /* index of the last of its numbers, at the range; `fade` is that over the range */
+    tl_u32 reserved; /* 0 */
+} tl_view_shape;
+TL_STATIC_ASSERT(sizeof(tl_view_shape) == 80, view_shape_is_five_rows);
+
+/* A sky that is not of one colour: sky.h. */
+typedef struct tl_view_sky {
+    tl_view_map map;  /* of a gradient the directions alone */
+    float zenith[3];  /* radiance; frame.sky is that at the horizon */
+    tl_u32 reserved0; /* 0 */
+    float ground[3];
+    tl_u32 reserved1; /* 0 */
+} tl_view_sky;
+TL_STATIC_ASSERT(sizeof(tl_view_sky) == 80, view_sky_is_five_rows);
+
 #endif

@@ -30,22 +30,34 @@ TL_INLINE approach approach_of(surface s, vec3 l)
     return a;
 }
 
+/* What the colours of a light say, cd or lx: the same in every lane, unless it shines through a picture. */
+typedef struct light_colors {
+    vec3 diffuse, specular;
+} light_colors;
+
+TL_INLINE light_colors colors_of(tl_view_light light)
+{
+    const light_colors colors = {
+        {(real)light.diffuse[0], (real)light.diffuse[1], (real)light.diffuse[2]},
+        {(real)light.specular[0], (real)light.specular[1], (real)light.specular[2]}};
+    return colors;
+}
+
 /* `diffuse` and what arrives with `weight` under this cosine, in lanes of `lit`. *seen becomes what the
  * specular lobe is multiplied by: the weight where the light is above the surface, or what arrives.
  * A lane outside `lit` adds exactly 0. */
 TL_INLINE vec3 add_diffuse(vec3 diffuse,
                            tl_needs needs,
-                           tl_view_light light,
+                           light_colors colors,
                            real cosine,
                            real weight,
                            mask lit,
                            real *seen)
 {
-    const vec3 color = {(real)light.diffuse[0], (real)light.diffuse[1], (real)light.diffuse[2]};
     const mask above = lit & (cosine > R(0.0));
     const real arriving = pick(above, weight * cosine, R(0.0));
     *seen = lobe_has(needs, TL_LOBE_COSINE) ? arriving : pick(above, weight, R(0.0));
-    return needs.one_color ? diffuse : fma3(color, arriving, diffuse);
+    return needs.one_color ? diffuse : fma3(colors.diffuse, arriving, diffuse);
 }
 
 /* What the lobe's power is multiplied by, 0 where the half vector is not above the surface. */
@@ -56,17 +68,12 @@ TL_INLINE real shine_of(tl_needs needs, surface s, half_angle a, real seen)
 
 /* The specular lobe; with one colour diffuse light too, for add_diffuse has left it out. */
 TL_INLINE received
-add_lobe(received sum, tl_needs needs, tl_view_light light, real seen, real shine, real power)
+add_lobe(received sum, tl_needs needs, light_colors colors, real seen, real shine, real power)
 {
-    if (needs.one_color) {
-        const vec3 color = {(real)light.diffuse[0], (real)light.diffuse[1],
-                            (real)light.diffuse[2]};
-        sum.diffuse = fma3(color, FMA(power, shine, seen), sum.diffuse);
-        return sum;
-    }
-    const vec3 color = {(real)light.specular[0], (real)light.specular[1],
-                        (real)light.specular[2]};
-    sum.specular = fma3(color, shine * power, sum.specular);
+    if (needs.one_color)
+        sum.diffuse = fma3(colors.diffuse, FMA(power, shine, seen), sum.diffuse);
+    else
+        sum.specular = fma3(colors.specular, shine * power, sum.specular);
     return sum;
 }
 
@@ -74,13 +81,13 @@ add_lobe(received sum, tl_needs needs, tl_view_light light, real seen, real shin
 TL_INLINE received add_highlight(received sum,
                                  tl_needs needs,
                                  surface s,
-                                 tl_view_light light,
+                                 light_colors colors,
                                  vec3 l,
                                  real length,
                                  real seen)
 {
     const half_angle a = highlight_angle(s, l, length);
-    return add_lobe(sum, needs, light, seen, shine_of(needs, s, a, seen),
+    return add_lobe(sum, needs, colors, seen, shine_of(needs, s, a, seen),
                     exp2_of_negative(log2_of_power(a.cos2, a.sin2, s.shininess)));
 }
 
@@ -88,7 +95,8 @@ TL_INLINE received add_highlight(received sum,
  * this and by others. */
 TL_INLINE int fades_by(tl_needs needs, tl_u32 row, int it_does)
 {
-    const tl_u32 ranged = needs.falloffs & ~(1u << TL_FADE_NONE), wanted = 1u << row;
+    const tl_u32 others = 1u << TL_FADE_NONE | 1u << TL_FADE_TABLE;
+    const tl_u32 ranged = needs.falloffs & ~others, wanted = 1u << row;
     return ranged == wanted || ((ranged & wanted) && it_does);
 }
 
@@ -118,6 +126,17 @@ typedef struct arrival {
     mask lit;
 } arrival;
 
+/* The same, as the cone of a spot leaves it. */
+TL_INLINE arrival
+through_cone(arrival from, tl_needs needs, tl_view_spot spot, vec3 l, real distance2)
+{
+    if (needs.spots) {
+        from.lit = from.lit & in_cone(spot, l, distance2);
+        from.weight = from.weight * cone_share(spot, l, from.per_distance);
+    }
+    return from;
+}
+
 /* Of a point or spot light with a range. A lane adds exactly 0 unless it is within reach and cone itself
  * and the light is above its surface: which other pixels share the vector must not show in the image. A
  * light in the surface point itself, where no direction exists, adds 0. */
@@ -129,12 +148,7 @@ ranged_arrival(tl_needs needs, surface s, tl_view_light light, tl_view_spot spot
     from.per_distance = R(1.0) / from.distance;
     from.lit = reaches(light, a.distance2) & (a.distance2 > TL_LEAST_DISTANCE2);
     from.weight = fade_of(needs, light, a.distance2, from.distance, from.per_distance);
-    if (needs.spots) {
-        const vec3 l = vector_to_light(s.position, light);
-        from.lit = from.lit & in_cone(spot, l, a.distance2);
-        from.weight = from.weight * cone_share(spot, l, from.per_distance);
-    }
-    return from;
+    return through_cone(from, needs, spot, vector_to_light(s.position, light), a.distance2);
 }
 
 /* The diffuse lobe of such a light, where lobes are plain. */
@@ -149,8 +163,8 @@ TL_INLINE vec3 add_ranged_diffuse(vec3 diffuse,
 {
     *distance = SQRT(a.distance2);
     const arrival from = ranged_arrival(needs, s, light, spot, a);
-    return add_diffuse(diffuse, needs, light, a.facing * from.per_distance, from.weight,
-                       from.lit, seen);
+    return add_diffuse(diffuse, needs, colors_of(light), a.facing * from.per_distance,
+                       from.weight, from.lit, seen);
 }
 
 /* A light in direction l that is reflected by whatever model a lane has. */
@@ -158,15 +172,11 @@ TL_INLINE received add_reflection(received sum,
                                   tl_needs needs,
                                   surface s,
                                   finish f,
-                                  tl_view_light light,
+                                  light_colors colors,
                                   vec3 l,
                                   approach a,
                                   arrival from)
 {
-    const vec3 diffuse = {(real)light.diffuse[0], (real)light.diffuse[1],
-                          (real)light.diffuse[2]};
-    const vec3 specular = {(real)light.specular[0], (real)light.specular[1],
-                           (real)light.specular[2]};
     const real cosine = a.facing * from.per_distance;
     const mask above = from.lit & (cosine > R(0.0));
     const meeting m = {l,
@@ -176,11 +186,11 @@ TL_INLINE received add_reflection(received sum,
                        pick(above, from.weight, R(0.0)),
                        pick(above, from.weight * cosine, R(0.0))};
     const reflection r = reflection_of(needs, s, f, m);
-    sum.diffuse = fma3(diffuse, r.diffuse, sum.diffuse);
+    sum.diffuse = fma3(colors.diffuse, r.diffuse, sum.diffuse);
     if (needs.specular)
-        sum.specular = fma3(specular, r.specular, sum.specular);
+        sum.specular = fma3(colors.specular, r.specular, sum.specular);
     if (needs.specular && some_lobe_has(needs, TL_LOBE_GRAZING))
-        sum.grazing = fma3(specular, r.grazing, sum.grazing);
+        sum.grazing = fma3(colors.specular, r.grazing, sum.grazing);
     return sum;
 }
 
@@ -189,17 +199,17 @@ TL_INLINE received add_light(received sum,
                              tl_needs needs,
                              surface s,
                              finish f,
-                             tl_view_light light,
+                             light_colors colors,
                              vec3 l,
                              approach a,
                              arrival from)
 {
     real seen;
     if (!is_plain(needs))
-        return add_reflection(sum, needs, s, f, light, l, a, from);
-    sum.diffuse = add_diffuse(sum.diffuse, needs, light, a.facing * from.per_distance,
+        return add_reflection(sum, needs, s, f, colors, l, a, from);
+    sum.diffuse = add_diffuse(sum.diffuse, needs, colors, a.facing * from.per_distance,
                               from.weight, from.lit, &seen);
-    return needs.specular ? add_highlight(sum, needs, s, light, l, from.distance, seen) : sum;
+    return needs.specular ? add_highlight(sum, needs, s, colors, l, from.distance, seen) : sum;
 }
 
 /* spot: its cone, whole_space() of a light that has none. f: finish_of the surface, of no matter where
@@ -211,7 +221,8 @@ TL_INLINE received add_ranged_light(
     const approach a = approach_of(s, l);
     if (!any_lane(may_be_lit(needs, light, spot, l, a)))
         return sum;
-    return add_light(sum, needs, s, f, light, l, a, ranged_arrival(needs, s, light, spot, a));
+    return add_light(sum, needs, s, f, colors_of(light), l, a,
+                     ranged_arrival(needs, s, light, spot, a));
 }
 
 /* A light that reaches everything: directional, or a point or spot light without a range. */
@@ -229,11 +240,8 @@ TL_INLINE received add_global_light(
     from.weight = is_directional ? (real)R(1.0)
                                  : fade_inverse_square(a.distance2, from.per_distance, R(0.0));
     from.lit = a.distance2 > R(0.0);
-    if (needs.spots) {
-        from.lit = from.lit & in_cone(spot, l, a.distance2);
-        from.weight = from.weight * cone_share(spot, l, from.per_distance);
-    }
-    return add_light(sum, needs, s, f, light, l, a, from);
+    from = through_cone(from, needs, spot, l, a.distance2);
+    return add_light(sum, needs, s, f, colors_of(light), l, a, from);
 }
 
 #endif

@@ -6,6 +6,16 @@
 #include "dialect.h"
 #include "models.h"
 
+/* What the shapes of lights (shape.h) have: bits of tl_needs.shapes. */
+#define TL_SHAPE_TABLE 1u
+#define TL_SHAPE_PROJECTED 2u
+#define TL_SHAPE_AROUND 4u
+#define TL_SHAPE_AMBIENT 8u
+
+/* Skies that are not of one colour (sky.h): values of tl_needs.sky. */
+#define TL_GRADIENT_SKY 1u
+#define TL_IMAGE_SKY 2u
+
 typedef struct tl_needs {
     tl_u32 present;      /* planes of the frame, bits 1 << plane */
     tl_u32 falloffs;     /* rows of falloff.h in use, bits 1 << row */
@@ -25,15 +35,17 @@ typedef struct tl_needs {
     tl_u32 choices; /* what tiles choose for themselves, bits of choices.h */
     tl_u32
         fixed_exponent; /* 1: all surfaces have the exponent of the frame, in place of their own */
+    tl_u32 shapes;      /* what some light has of it; 0: lights have no shapes */
+    tl_u32 sky;         /* 0: of one colour, frame.sky */
 } tl_needs;
 
 #ifdef __OPENCL_C_VERSION__
 TL_INLINE tl_needs needs_of_build(void)
 {
-    const tl_needs needs = {TL_PRESENT,       TL_FALLOFFS_USED, TL_SPECULAR,    TL_ORTHOGRAPHIC,
-                            TL_LAYOUT,        TL_MODEL,         TL_SPOTS,       TL_ONE_COLOR,
-                            TL_AMBIENT,       TL_IDLE,          TL_MODELS_USED, TL_CHOICES,
-                            TL_FIXED_EXPONENT};
+    const tl_needs needs = {
+        TL_PRESENT,     TL_FALLOFFS_USED, TL_SPECULAR,       TL_ORTHOGRAPHIC, TL_LAYOUT,
+        TL_MODEL,       TL_SPOTS,         TL_ONE_COLOR,      TL_AMBIENT,      TL_IDLE,
+        TL_MODELS_USED, TL_CHOICES,       TL_FIXED_EXPONENT, TL_SHAPES,       TL_SKY};
     return needs;
 }
 #endif

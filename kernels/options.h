@@ -27,26 +27,30 @@
  *                  of its materials
  *   choices        effects that tiles choose for themselves, bits of choices.h
  *   fixed_exponent 1: surfaces have the exponent of the frame
- *   timed          1: shade_tiles takes another argument and says there when it began and ended a tile */
-#define TL_KERNEL_OPTIONS(X)           \
-    X(TL_WIDTH, width)                 \
-    X(TL_BY_PIXEL, by_pixel)           \
-    X(TL_REAL_DOUBLE, real_double)     \
-    X(TL_PRECISE_POWER, precise_power) \
-    X(TL_ORTHOGRAPHIC, orthographic)   \
-    X(TL_LAYOUT, layout)               \
-    X(TL_PRESENT, present)             \
-    X(TL_SPECULAR, specular)           \
-    X(TL_FALLOFFS_USED, falloffs)      \
-    X(TL_MODEL, model)                 \
-    X(TL_SPOTS, spots)                 \
-    X(TL_ONE_COLOR, one_color)         \
-    X(TL_AMBIENT, ambient)             \
-    X(TL_IDLE, idle)                   \
-    X(TL_MODELS_USED, models)          \
-    X(TL_CHOICES, choices)             \
-    X(TL_TIMED, timed)                 \
-    X(TL_FIXED_EXPONENT, fixed_exponent)
+ *   timed          1: shade_tiles takes another argument and says there when it began and ended a tile
+ *   shapes         what lights have beside the rest, bits of needs.h; 0: none has shapes
+ *   sky            0, or how the sky is painted: needs.h */
+#define TL_KERNEL_OPTIONS(X)             \
+    X(TL_WIDTH, width)                   \
+    X(TL_BY_PIXEL, by_pixel)             \
+    X(TL_REAL_DOUBLE, real_double)       \
+    X(TL_PRECISE_POWER, precise_power)   \
+    X(TL_ORTHOGRAPHIC, orthographic)     \
+    X(TL_LAYOUT, layout)                 \
+    X(TL_PRESENT, present)               \
+    X(TL_SPECULAR, specular)             \
+    X(TL_FALLOFFS_USED, falloffs)        \
+    X(TL_MODEL, model)                   \
+    X(TL_SPOTS, spots)                   \
+    X(TL_ONE_COLOR, one_color)           \
+    X(TL_AMBIENT, ambient)               \
+    X(TL_IDLE, idle)                     \
+    X(TL_MODELS_USED, models)            \
+    X(TL_CHOICES, choices)               \
+    X(TL_TIMED, timed)                   \
+    X(TL_FIXED_EXPONENT, fixed_exponent) \
+    X(TL_SHAPES, shapes)                 \
+    X(TL_SKY, sky)
 
 #ifdef __OPENCL_C_VERSION__
 #    if !defined(TL_WIDTH) || !defined(TL_BY_PIXEL) || !defined(TL_REAL_DOUBLE) ||        \
@@ -54,7 +58,8 @@
         !defined(TL_PRESENT) || !defined(TL_SPECULAR) || !defined(TL_FALLOFFS_USED) ||    \
         !defined(TL_MODEL) || !defined(TL_SPOTS) || !defined(TL_ONE_COLOR) ||             \
         !defined(TL_AMBIENT) || !defined(TL_IDLE) || !defined(TL_MODELS_USED) ||          \
-        !defined(TL_CHOICES) || !defined(TL_FIXED_EXPONENT) || !defined(TL_TIMED)
+        !defined(TL_CHOICES) || !defined(TL_FIXED_EXPONENT) || !defined(TL_TIMED) ||      \
+        !defined(TL_SHAPES) || !defined(TL_SKY)
 #        error "build the kernels through tl_program_build(), which passes every option"
 #    endif
 #    if TL_BY_PIXEL && TL_WIDTH != 1

@@ -65,9 +65,12 @@ TL_INLINE real channel_of(tl_needs needs,
     return radiance;
 }
 
-TL_INLINE real ambient_of(tl_needs needs, real albedo, scalar ambient, real occlusion)
+/* lamps: of lights with ambient lobes. */
+TL_INLINE real
+ambient_of(tl_needs needs, real albedo, scalar ambient, real lamps, real occlusion)
 {
-    const real light = albedo * ambient;
+    const real light =
+        needs.shapes & TL_SHAPE_AMBIENT ? albedo * (lamps + (real)ambient) : albedo * ambient;
     if (reads_planes(needs, TL_GROUP_OCCLUSION))
         return light * occlusion;
     return light;
@@ -105,15 +108,18 @@ radiance_of(const tl_frame *frame, tl_needs needs, pixel of, substance m, receiv
     const vec3 lobe = lobe_color(needs, m), diffuse = diffuse_color(needs, m);
     const real f90 = grazing_reflectance(m.specular);
     const vec3 lit = {
-        channel_of(needs, diffuse.x, sum.diffuse.x, lobe.x, sum.specular.x, f90, sum.grazing.x,
-                   ambient_of(needs, of.albedo.x, frame->ambient[0], of.occlusion),
-                   of.emissive.x),
-        channel_of(needs, diffuse.y, sum.diffuse.y, lobe.y, sum.specular.y, f90, sum.grazing.y,
-                   ambient_of(needs, of.albedo.y, frame->ambient[1], of.occlusion),
-                   of.emissive.y),
-        channel_of(needs, diffuse.z, sum.diffuse.z, lobe.z, sum.specular.z, f90, sum.grazing.z,
-                   ambient_of(needs, of.albedo.z, frame->ambient[2], of.occlusion),
-                   of.emissive.z)};
+        channel_of(
+            needs, diffuse.x, sum.diffuse.x, lobe.x, sum.specular.x, f90, sum.grazing.x,
+            ambient_of(needs, of.albedo.x, frame->ambient[0], sum.ambient.x, of.occlusion),
+            of.emissive.x),
+        channel_of(
+            needs, diffuse.y, sum.diffuse.y, lobe.y, sum.specular.y, f90, sum.grazing.y,
+            ambient_of(needs, of.albedo.y, frame->ambient[1], sum.ambient.y, of.occlusion),
+            of.emissive.y),
+        channel_of(
+            needs, diffuse.z, sum.diffuse.z, lobe.z, sum.specular.z, f90, sum.grazing.z,
+            ambient_of(needs, of.albedo.z, frame->ambient[2], sum.ambient.z, of.occlusion),
+            of.emissive.z)};
     const mask hit = of.depth < (real)INFINITY;
     const vec3 radiance = {pick(hit, lit.x, (scalar)frame->sky[0]),
                            pick(hit, lit.y, (scalar)frame->sky[1]),

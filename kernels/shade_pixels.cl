@@ -2,6 +2,8 @@
  * a group walks over one list. Formulas and order are those of shade_tiles.cl, and so are the bits. */
 #include "load_pixel.h"
 #include "options.h"
+#include "shape.h"
+#include "sky.h"
 
 #if TL_BY_PIXEL
 
@@ -36,13 +38,15 @@ __kernel void shade_pixels(const tl_frame frame,
     received sum = nothing_received();
     if (in.depth < (real)INFINITY) {
         for (uint i = 0; i < frame.global_count; i++)
-            sum = add_global_light(sum, needs, s, f, lights[i],
-                                   spot_of(needs, lights, frame.light_count, i));
+            sum = add_any_light(sum, &frame, needs, lights, s, f, lights[i],
+                                spot_of(needs, lights, frame.light_count, i), 1);
         for (uint i = starts[tile]; i < ends[tile]; i++)
-            sum = add_ranged_light(sum, needs, s, f, lights[list[i]],
-                                   spot_of(needs, lights, frame.light_count, list[i]));
+            sum = add_any_light(sum, &frame, needs, lights, s, f, lights[list[i]],
+                                spot_of(needs, lights, frame.light_count, list[i]), 0);
     }
-    const vec3 out = radiance_of(&frame, needs, in, m, sum);
+    const vec3 out =
+        seen_radiance(&frame, needs, lights, in.depth, radiance_of(&frame, needs, in, m, sum),
+                      (scalar)column, (scalar)(frame.first_row + row));
     store_block(out.x, radiance + at, frame.pitch);
     store_block(out.y, radiance + plane_size + at, frame.pitch);
     store_block(out.z, radiance + 2 * plane_size + at, frame.pitch);

@@ -26,6 +26,8 @@
  * bytes 1.4 ms. Measured 3.7 ms and 2.1 ms: one and a half times. */
 #include "choices.h"
 #include "load_pixel.h"
+#include "shape.h"
+#include "sky.h"
 
 /* A row of blocks in the largest tile, 64 px. */
 #define MOST_BLOCKS_OF_ROW (64 / BLOCK_COLUMNS)
@@ -97,7 +99,7 @@ TL_INLINE received add_listed_lights(received sum,
     for (uint i = 0; i < kept_count; i++)
         log2_of[i] = log2_of_power(cos2[i], sin2[i], s.shininess);
     for (uint i = 0; i < kept_count; i++)
-        sum = add_lobe(sum, needs, lights[kept[i]], seen[i], shine[i],
+        sum = add_lobe(sum, needs, colors_of(lights[kept[i]]), seen[i], shine[i],
                        exp2_of_negative(log2_of[i]));
     return sum;
 }
@@ -131,9 +133,20 @@ TL_INLINE received add_reflected_lights(received sum,
         from[i] = ranged_arrival(needs, s, lights[kept[i]],
                                  spot_of(needs, lights, light_count, kept[i]), seen[i]);
     for (uint i = 0; i < kept_count; i++)
-        sum = add_reflection(sum, needs, s, f, lights[kept[i]],
+        sum = add_reflection(sum, needs, s, f, colors_of(lights[kept[i]]),
                              vector_to_light(s.position, lights[kept[i]]), seen[i], from[i]);
     return sum;
+}
+
+/* How many lights at the start of a list have no shape: those that add_listed_lights takes. */
+TL_INLINE uint count_without_shapes(__global const tl_view_light *lights,
+                                    __global const uint *list,
+                                    uint count)
+{
+    uint i = 0;
+    while (i < count && !has_shape(lights[list[i]].falloff))
+        i++;
+    return i;
 }
 
 /* A tile's lights: list[start] to list[end - 1], behind those that reach everything. */
@@ -148,20 +161,33 @@ lit_by(const tl_frame *frame, tl_needs needs, surface s, finish f, tile_lights b
 {
     received sum = nothing_received();
     for (uint i = 0; i < frame->global_count; i++)
-        sum = add_global_light(sum, needs, s, f, by.lights[i],
-                               spot_of(needs, by.lights, frame->light_count, i));
-    for (uint i = by.start; i < by.end; i += LIGHTS_AT_ONCE) {
-        const uint count = min(by.end - i, (uint)LIGHTS_AT_ONCE);
-        sum = is_plain(needs) ? add_listed_lights(sum, needs, s, by.lights, frame->light_count,
-                                                  by.list + i, count)
-                              : add_reflected_lights(sum, needs, s, f, by.lights,
-                                                     frame->light_count, by.list + i, count);
+        sum = add_any_light(sum, frame, needs, by.lights, s, f, by.lights[i],
+                            spot_of(needs, by.lights, frame->light_count, i), 1);
+    /* Together, but for those that have shapes. */
+    for (uint i = by.start, together = LIGHTS_AT_ONCE; i < by.end; i += together) {
+        const uint left = min(by.end - i, (uint)LIGHTS_AT_ONCE);
+        if (needs.shapes != 0)
+            together = count_without_shapes(by.lights, by.list + i, left);
+        const uint count = min(left, together);
+        if (together == 0) {
+            const uint one = by.list[i];
+            together = 1;
+            sum = add_any_light(sum, frame, needs, by.lights, s, f, by.lights[one],
+                                spot_of(needs, by.lights, frame->light_count, one), 0);
+        } else {
+            sum = is_plain(needs)
+                      ? add_listed_lights(sum, needs, s, by.lights, frame->light_count,
+                                          by.list + i, count)
+                      : add_reflected_lights(sum, needs, s, f, by.lights, frame->light_count,
+                                             by.list + i, count);
+        }
     }
     return sum;
 }
 
 /* needs: what the tile computes. Where they leave something out that the build has, that is a constant, and
- * the function compiled once more (cones), or a branch that is the same for all of the tile (lobes). */
+ * the function compiled once more (cones), or a branch that is the same for all of the tile (lobes,
+ * shapes). */
 TL_INLINE void shade_tile(const tl_frame *frame,
                           tl_needs needs,
                           uint tile,
@@ -185,9 +211,9 @@ TL_INLINE void shade_tile(const tl_frame *frame,
             const uint column = column0 + b * BLOCK_COLUMNS;
             const tl_words words = load_some_words(&layout, words_there, planes, plane_size,
                                                    first + b * BLOCK_COLUMNS, frame->pitch);
-            surfaces[b] =
-                unpacked_surface(frame, needs, &layout, &words, rows, (scalar)column + LANE_COLUMN,
-                                 (scalar)(frame->first_row + row) + LANE_ROW);
+            surfaces[b] = unpacked_surface(frame, needs, &layout, &words, rows,
+                                           (scalar)column + LANE_COLUMN,
+                                           (scalar)(frame->first_row + row) + LANE_ROW);
         }
         for (uint b = 0; b < blocks; b++) {
             const size_t at = first + b * BLOCK_COLUMNS;
@@ -205,8 +231,11 @@ TL_INLINE void shade_tile(const tl_frame *frame,
             const tl_words words =
                 load_some_words(&layout, words_there, planes, plane_size, at, frame->pitch);
             const pixel in = pixel_of(needs, &layout, &words, -s.position.z);
-            const vec3 out =
-                radiance_of(frame, needs, in, substance_at(frame, needs, in, rows), sum);
+            const vec3 out = seen_radiance(
+                frame, needs, by.lights, in.depth,
+                radiance_of(frame, needs, in, substance_at(frame, needs, in, rows), sum),
+                (scalar)(column0 + b * BLOCK_COLUMNS) + LANE_COLUMN,
+                (scalar)(frame->first_row + row) + LANE_ROW);
             store_block(out.x, radiance + at, frame->pitch);
             store_block(out.y, radiance + plane_size + at, frame->pitch);
             store_block(out.z, radiance + 2 * plane_size + at, frame->pitch);
@@ -229,6 +258,8 @@ TL_INLINE void shade_as_called(const tl_frame *frame,
     const uint called = calls_of_tile(frame, by.lights, by.list, by.start, by.end);
     if (needs.choices & TL_CHOICE_LOBES)
         needs.specular = (called & TL_CHOICE_LOBES) != 0;
+    if ((needs.choices & TL_CHOICE_SHAPES) && !(called & TL_CHOICE_SHAPES))
+        needs.shapes = 0;
     if ((needs.choices & TL_CHOICE_CONES) && !(called & TL_CHOICE_CONES)) {
         tl_needs without_cones = needs;
         without_cones.spots = 0;

@@ -46,12 +46,13 @@ typedef struct reflection {
 typedef struct received {
     vec3 diffuse, specular;
     vec3 grazing; /* of no matter where no model in use has Fresnel's reflectance */
+    vec3 ambient; /* whatever the normal; of no matter where no light has an ambient lobe */
 } received;
 
 TL_INLINE received nothing_received(void)
 {
     const vec3 none = {R(0.0), R(0.0), R(0.0)};
-    const received sum = {none, none, none};
+    const received sum = {none, none, none, none};
     return sum;
 }
 

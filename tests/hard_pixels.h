@@ -64,7 +64,7 @@ static inline void place_case(tl_gbuffer *g, tl_light_set *lights, uint32_t i)
         set_pixel(g, (enum tl_plane)p, i, isinf(hard_pixels[i].depth) ? 0.0f : 0.5f);
     set_pixel(g, TL_SHININESS, i, hard_pixels[i].shininess);
     light.range = hard_pixels[i].range;
-    for (int falloff = 0; falloff < TL_FALLOFF_COUNT; falloff++) {
+    for (int falloff = 0; falloff < TL_FALLOFF_TABLE; falloff++) {
         light.falloff = (tl_falloff)falloff;
         ASSERT_OK(tl_light_set_add(lights, &light, &err), err);
     }

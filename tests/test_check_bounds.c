@@ -2,6 +2,7 @@
  * none nor absurd? */
 #include "golden_scenes.h"
 #include "hard_pixels.h"
+#include "rich_lights.h"
 
 #include "check_frames.h"
 
@@ -90,6 +91,12 @@ static void pixels_at_the_limits(void **state)
                          COUNT_OF(widths));
             make_hard_spots(&lights);
             check_widths(*state, projection ? "spots, parallel" : "spots", g, &lights, 0.0f, 1);
+            make_rich(&lights);
+            if (p == 0)
+                make_gradient_sky(&lights);
+            else
+                make_image_sky(&lights);
+            check_widths(*state, projection ? "shapes, parallel" : "shapes", g, &lights, 0.0f, 1);
             tl_light_set_clear(&lights);
             tl_gbuffer_destroy(g);
         }

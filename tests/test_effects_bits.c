@@ -1,6 +1,7 @@
 /* Is a picture the same bit for bit whether only what a frame calls for is computed, or all of it? */
 #include "frames.h"
 #include "golden_scenes.h"
+#include "rich_lights.h"
 
 #include "choices.h"
 #include "prepared.h"
@@ -225,12 +226,30 @@ static void what_tiles_choose_does_not_show(void **state)
     tl_gbuffer_destroy(g);
 }
 
+/* A gradient, lights of every kind of shape, and of them some that give nothing: the twin, and one build. */
+static void shapes_keep_their_bits(void **state)
+{
+    const tl_camera camera = camera_of(70, 40, TL_PERSPECTIVE);
+    const uint32_t present = TL_GROUP_BASE | TL_GROUP_PHONG | TL_GROUP_OCCLUSION;
+    tl_light_set lights = {0};
+    tl_gbuffer *g = random_gbuffer(&camera, present, 3);
+    tl_error err;
+    ASSERT_OK(tl_gbuffer_repair(g, "random", false, NULL, &err), err);
+    add_lights(&lights, &camera, 1.0f);
+    make_rich(&lights);
+    make_gradient_sky(&lights);
+    expect_one_picture(*state, by_tiles, COUNT_OF(by_tiles), g, &lights, "shapes");
+    tl_light_set_clear(&lights);
+    tl_gbuffer_destroy(g);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(scenes_keep_their_bits),
         cmocka_unit_test(what_is_left_out_adds_nothing),
         cmocka_unit_test(what_tiles_choose_does_not_show),
+        cmocka_unit_test(shapes_keep_their_bits),
     };
     return cmocka_run_group_tests(tests, open_device, close_device);
 }

@@ -15,6 +15,7 @@
 #define OCCLUSION (TL_GROUP_BASE | TL_GROUP_OCCLUSION)
 #define EMISSION (TL_GROUP_BASE | TL_GROUP_EMISSIVE)
 #define INDEXED (TL_GROUP_BASE | TL_GROUP_BRDF)
+#define SHAPES (ON(TABLE) | ON(PROJECTED) | ON(AROUND) | ON(AMBIENT_LOBE))
 #define ANY_LIGHT .intensity = 1.0f, .diffuse = 1.0f
 
 typedef struct lamp {
@@ -23,7 +24,8 @@ typedef struct lamp {
     float range, begin; /* range 0: none */
     int has_cone;
     float cone; /* outer half-angle */
-    float intensity, diffuse, specular;
+    float intensity, diffuse, specular, ambient;
+    int has_texture;
 } lamp;
 
 typedef struct scene {
@@ -32,6 +34,7 @@ typedef struct scene {
     lamp lamps[2]; /* intensity 0 and no diffuse: no lamp */
     float ambient, sky;
     int has_shininess;
+    tl_sky sky_type;
     enum tl_shading_model model;
     uint32_t
         row; /* index that has a row of materials, of this model and specular colour; 0: none */
@@ -43,7 +46,7 @@ typedef struct scene {
     uint32_t effects; /* expected: all of them */
     struct {
         tl_u32 falloffs, spots, specular, ambient, orthographic, one_color, idle,
-            fixed_exponent;
+            fixed_exponent, shapes, sky;
     } needs;                                         /* expected */
     uint32_t light_count, idle[TL_IDLE_LIGHT_COUNT]; /* expected */
 } scene;
@@ -76,6 +79,34 @@ static const scene minimal[TL_EFFECT_COUNT] = {
                                           .falloff = TL_FALLOFF_LINEAR}},
                                .effects = ON(RANGED) | ON(LINEAR_FROM),
                                .needs = {.falloffs = FADE(LINEAR_FROM)}, .light_count = 1},
+    [TL_EFFECT_TABLE] = {"a falloff table", TL_GROUP_BASE,
+                         .lamps = {{ANY_LIGHT, .range = 2.0f, .falloff = TL_FALLOFF_TABLE}},
+                         .effects = ON(RANGED) | ON(TABLE),
+                         .needs = {.falloffs = FADE(TABLE), .shapes = TL_SHAPE_TABLE},
+                         .light_count = 1},
+    [TL_EFFECT_PROJECTED] =
+        {"a spot with a texture", TL_GROUP_BASE,
+         .lamps = {{ANY_LIGHT, .has_cone = 1, .cone = 0.5f, .has_texture = 1}},
+         .effects = ON(GLOBAL) | ON(INVERSE_SQUARE) | ON(SPOTS) | ON(PROJECTED),
+         .needs = {.falloffs = FADE(INVERSE_SQUARE), .spots = 1, .shapes = TL_SHAPE_PROJECTED},
+         .light_count = 1},
+    [TL_EFFECT_AROUND] = {"a point light with a texture", TL_GROUP_BASE,
+                          .lamps = {{ANY_LIGHT, .has_texture = 1}},
+                          .effects = ON(GLOBAL) | ON(INVERSE_SQUARE) | ON(AROUND),
+                          .needs = {.falloffs = FADE(INVERSE_SQUARE),
+                                    .shapes = TL_SHAPE_AROUND},
+                          .light_count = 1},
+    [TL_EFFECT_AMBIENT_LOBE] =
+        {"a light with an ambient lobe alone", TL_GROUP_BASE,
+         .lamps = {{.intensity = 1.0f, .ambient = 0.5f, .is_directional = 1}},
+         .effects = ON(GLOBAL) | ON(DIRECTIONAL) | ON(AMBIENT_LOBE) | ON(AMBIENT),
+         .needs = {.falloffs = FADE(NONE), .ambient = 1, .shapes = TL_SHAPE_AMBIENT},
+         .light_count = 1},
+    [TL_EFFECT_SKY_GRADIENT] = {"a gradient", TL_GROUP_BASE, .sky = 0.5f,
+                                .sky_type = TL_SKY_GRADIENT, .effects = ON(SKY_GRADIENT),
+                                .needs = {.sky = TL_GRADIENT_SKY}},
+    [TL_EFFECT_SKY_IMAGE] = {"an image", TL_GROUP_BASE, .sky = 0.5f, .sky_type = TL_SKY_IMAGE,
+                             .effects = ON(SKY_IMAGE), .needs = {.sky = TL_IMAGE_SKY}},
     [TL_EFFECT_SPOTS] = {"a spot light", TL_GROUP_BASE,
                          .lamps = {{ANY_LIGHT, .has_cone = 1, .cone = 0.5f}},
                          .effects = ON(GLOBAL) | ON(INVERSE_SQUARE) | ON(SPOTS),
@@ -150,6 +181,16 @@ static const scene others[] = {
      .lamps = {{ANY_LIGHT, .is_directional = 1, .specular = 1.0f}},
      .effects = ON(GLOBAL) | ON(DIRECTIONAL) | ON(SPECULAR) | ON(MODEL) | ON(ROWS),
      .needs = {.falloffs = FADE(NONE), .specular = 1}, .light_count = 1},
+    {"occlusion of an ambient lobe", OCCLUSION,
+     .lamps = {{.intensity = 1.0f, .ambient = 0.5f, .is_directional = 1}},
+     .effects = ON(GLOBAL) | ON(DIRECTIONAL) | ON(AMBIENT_LOBE) | ON(AMBIENT) | ON(OCCLUSION),
+     .needs = {.falloffs = FADE(NONE), .ambient = 1, .shapes = TL_SHAPE_AMBIENT},
+     .light_count = 1},
+    {"an ambient lobe of no intensity", OCCLUSION,
+     .lamps = {{.ambient = 0.5f, .diffuse = 1.0f}}, .needs = {.idle = TL_GROUP_OCCLUSION},
+     .idle = {[TL_IDLE_BLACK] = 1}},
+    {"a black gradient", TL_GROUP_BASE, .sky_type = TL_SKY_GRADIENT},
+    {"an image that is shown black", TL_GROUP_BASE, .sky_type = TL_SKY_IMAGE},
     {"occlusion without ambient light", OCCLUSION, .needs = {.idle = TL_GROUP_OCCLUSION}},
     {"neutral occlusion", OCCLUSION, .neutral = TL_GROUP_OCCLUSION, .ambient = 0.1f,
      .effects = ON(AMBIENT), .needs = {.ambient = 1, .idle = TL_GROUP_OCCLUSION}},
@@ -191,17 +232,31 @@ static const scene others[] = {
     {"all effects of a bare frame", TL_GROUP_BASE, .mode = TL_EFFECTS_ALL,
      .lamps = {{.diffuse = 1.0f, .range = 1.0f}},
      .effects = ON(RANGED) | ON(DIRECTIONAL) | ON(INVERSE_SQUARE) | ON(LINEAR) |
-                ON(LINEAR_FROM) | ON(SPOTS) | ON(AMBIENT),
-     .needs = {.falloffs = (1u << TL_FADE_COUNT) - 1u, .spots = 1, .ambient = 1},
+                ON(LINEAR_FROM) | ON(SPOTS) | ON(AMBIENT) | SHAPES,
+     .needs = {.falloffs = (1u << TL_FADE_COUNT) - 1u, .spots = 1, .ambient = 1, .shapes = 15},
      .light_count = 1, .idle = {[TL_IDLE_BLACK] = 1}},
     {"all effects of a frame with every plane", PHONG | OCCLUSION | EMISSION,
      .neutral = TL_THREE(TL_SPECULAR_R) | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE,
      .mode = TL_EFFECTS_ALL,
      .effects = ON(DIRECTIONAL) | ON(INVERSE_SQUARE) | ON(LINEAR) | ON(LINEAR_FROM) |
-                ON(SPOTS) | ON(SPECULAR) | ON(AMBIENT) | ON(OCCLUSION) | ON(EMISSION),
-     .needs =
-         {.falloffs = (1u << TL_FADE_COUNT) - 1u, .spots = 1, .specular = 1, .ambient = 1}},
+                ON(SPOTS) | ON(SPECULAR) | ON(AMBIENT) | ON(OCCLUSION) | ON(EMISSION) | SHAPES,
+     .needs = {.falloffs = (1u << TL_FADE_COUNT) - 1u,
+               .spots = 1,
+               .specular = 1,
+               .ambient = 1,
+               .shapes = 15}},
 };
+
+/* An image of one pixel. */
+static uint32_t add_pixel(tl_light_set *set)
+{
+    float *pixels = calloc(3, sizeof *pixels);
+    uint32_t image = 0;
+    tl_error err;
+    assert_non_null(pixels);
+    ASSERT_OK(tl_light_set_add_image(set, "one pixel", 1, 1, pixels, &image, &err), err);
+    return image;
+}
 
 static void add_lamp(tl_light_set *set, const lamp *from)
 {
@@ -221,6 +276,12 @@ static void add_lamp(tl_light_set *set, const lamp *from)
     light.intensity = from->intensity;
     light.diffuse = from->diffuse;
     light.specular = from->specular;
+    light.ambient = from->ambient;
+    if (from->falloff == TL_FALLOFF_TABLE)
+        ASSERT_OK(tl_light_set_add_table(set, (float[]){1.0f, 0.0f}, 2, &light.table, &err),
+                  err);
+    if (from->has_texture)
+        light.texture = add_pixel(set);
     ASSERT_OK(tl_light_set_add(set, &light, &err), err);
 }
 
@@ -236,7 +297,11 @@ static tl_prepared prepared_of(const scene *s)
     ASSERT_OK(tl_gbuffer_create_packed(&camera, s->layout, s->present, &g, &err), err);
     g->neutral = s->neutral;
     lights.ambient[1] = s->ambient;
-    lights.sky[2] = s->sky;
+    lights.sky_type = s->sky_type;
+    lights.sky[2] = s->sky_type == TL_SKY_IMAGE ? 0.0f : s->sky;
+    lights.sky_intensity = s->sky_type == TL_SKY_IMAGE ? s->sky : 0.0f;
+    if (s->sky_type == TL_SKY_IMAGE)
+        lights.sky_image = add_pixel(&lights);
     for (size_t i = 0; i < COUNT_OF(s->lamps); i++)
         add_lamp(&lights, &s->lamps[i]);
     if (s->row > 0) {
@@ -278,14 +343,16 @@ static void expect(const scene *s)
                             .orthographic = s->needs.orthographic,
                             .one_color = s->needs.one_color,
                             .fixed_exponent = s->needs.fixed_exponent,
-                            .idle = s->needs.idle};
+                            .idle = s->needs.idle,
+                            .shapes = s->needs.shapes,
+                            .sky = s->needs.sky};
     expect_effects(s, p.explanation.effects);
     if (memcmp(&p.needs, &needs, sizeof needs) != 0)
         fail_msg(
             "%s: kernels are built for something else: falloffs %x, spots %u, specular %u, "
-            "ambient %u, orthographic %u, one_color %u, idle %x",
+            "ambient %u, orthographic %u, one_color %u, idle %x, shapes %x, sky %u",
             s->name, p.needs.falloffs, p.needs.spots, p.needs.specular, p.needs.ambient,
-            p.needs.orthographic, p.needs.one_color, p.needs.idle);
+            p.needs.orthographic, p.needs.one_color, p.needs.idle, p.needs.shapes, p.needs.sky);
     if (p.frame.light_count != s->light_count)
         fail_msg("%s: %u lights", s->name, p.frame.light_count);
     for (int i = 0; i < TL_IDLE_LIGHT_COUNT; i++)

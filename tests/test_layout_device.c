@@ -68,7 +68,8 @@ static cl_program build_probes(const tl_device *device, const variant *v)
         "-D TL_PRECISE_POWER=0 -D TL_ORTHOGRAPHIC=%u -D TL_LAYOUT=0 -D TL_PRESENT=%u "
         "-D TL_SPECULAR=0 -D TL_FALLOFFS_USED=1 -D TL_MODEL=0 -D TL_MODELS_USED=1u -D "
         "TL_SPOTS=0 -D TL_ONE_COLOR=0 "
-        "-D TL_AMBIENT=1 -D TL_IDLE=0 -D TL_CHOICES=0 -D TL_FIXED_EXPONENT=0 -D TL_TIMED=0",
+        "-D TL_AMBIENT=1 -D TL_IDLE=0 -D TL_CHOICES=0 -D TL_FIXED_EXPONENT=0 -D TL_TIMED=0 "
+        "-D TL_SHAPES=0 -D TL_SKY=0",
         device->rounds_divide ? " -cl-fp32-correctly-rounded-divide-sqrt" : "", v->width,
         v->orthographic, v->present);
     cl_program program = clCreateProgramWithSource(device->context, 2, texts, NULL, &code);

@@ -63,13 +63,61 @@ static const struct {
 
     /* Of a later version. */
     {POINT("\"castsShadow\": true"), TL_ERR_UNSUPPORTED, {"lights[0]", "castsShadow"}},
-    {POINT("\"texture\": \"gobo.png\""), TL_ERR_UNSUPPORTED, {"lights[0]", "texture"}},
-    {POINT("\"lut\": [1, 0]"), TL_ERR_UNSUPPORTED, {"lut"}},
-    {POINT("\"falloff\": \"lut\", \"range\": 1"), TL_ERR_UNSUPPORTED, {"lut"}},
     {POINT("\"group\": \"key\""), TL_ERR_UNSUPPORTED, {"group"}},
-    {POINT("\"ambient\": 0.1"), TL_ERR_UNSUPPORTED, {"ambient"}},
-    {FILE_WITH("\"sky\": { \"type\": \"gradient\" }"), TL_ERR_UNSUPPORTED, {"gradient"}},
-    {FILE_WITH("\"sky\": { \"type\": \"latlong\" }"), TL_ERR_UNSUPPORTED, {"latlong"}},
+
+    /* Falloff tables. */
+    {POINT("\"lut\": [1, 0]"), TL_ERR_FORMAT, {"lights[0]", "\"lut\"", "falloff"}},
+    {POINT("\"falloff\": \"lut\", \"range\": 1"),
+     TL_ERR_FORMAT,
+     {"lights[0]", "needs its table"}},
+    {POINT("\"falloff\": \"lut\", \"lut\": [1, 0]"), TL_ERR_FORMAT, {"table needs a range"}},
+    {POINT("\"falloff\": \"lut\", \"range\": 1, \"lut\": [1]"),
+     TL_ERR_FORMAT,
+     {"\"lut\"", "2 to 4096"}},
+    {POINT("\"falloff\": \"lut\", \"range\": 1, \"lut\": 3"), TL_ERR_FORMAT, {"array"}},
+    {POINT("\"falloff\": \"lut\", \"range\": 1, \"lut\": [1, \"x\"]"),
+     TL_ERR_FORMAT,
+     {"\"lut\"", "number"}},
+    {POINT("\"falloff\": \"lut\", \"range\": 1, \"lut\": [1, -1]"),
+     TL_ERR_FORMAT,
+     {"lut[1]", "-1", "0 to 10000"}},
+    {POINT("\"falloff\": \"lut\", \"range\": 1, \"lut\": [1, 2e4, 0]"),
+     TL_ERR_FORMAT,
+     {"lut[1]", "20000"}},
+    {LIGHT("\"type\": \"directional\", \"direction\": [0, 0, 1], \"lut\": [1, 0]"),
+     TL_ERR_FORMAT,
+     {"directional light has no \"lut\""}},
+
+    /* Textures of lights. */
+    {POINT("\"name\": \"window\", \"texture\": \"no/such.png\""),
+     TL_ERR_READ,
+     {"lights[0] \"window\"", "\"texture\"", "no/such.png", "cannot be opened"}},
+    {POINT("\"texture\": 3"), TL_ERR_FORMAT, {"\"texture\"", "OpenEXR or PNG"}},
+    {POINT("\"texture\": \"\""), TL_ERR_FORMAT, {"\"texture\"", "OpenEXR or PNG"}},
+    {LIGHT("\"type\": \"directional\", \"direction\": [0, 0, 1], \"texture\": \"a.png\""),
+     TL_ERR_FORMAT,
+     {"directional light has no \"texture\""}},
+    {POINT("\"up\": [0, 1, 0]"), TL_ERR_FORMAT, {"up", "texture", "remove it"}},
+    {POINT("\"ambient\": -1"), TL_ERR_FORMAT, {"lights[0]", "ambient", "-1"}},
+
+    /* Skies. */
+    {FILE_WITH(
+         "\"sky\": { \"type\": \"gradient\", \"zenith\": [1, 1, 1], \"ground\": [0, 0, 0] }"),
+     TL_ERR_FORMAT,
+     {"gradient", "needs \"horizon\""}},
+    {FILE_WITH("\"sky\": { \"type\": \"gradient\", \"color\": [1, 1, 1] }"),
+     TL_ERR_FORMAT,
+     {"gradient", "no \"color\""}},
+    {FILE_WITH("\"sky\": { \"type\": \"image\" }"), TL_ERR_FORMAT, {"needs \"image\""}},
+    {FILE_WITH("\"sky\": { \"type\": \"image\", \"image\": \"no/such.exr\" }"),
+     TL_ERR_READ,
+     {"sky", "\"image\"", "no/such.exr", "cannot be opened"}},
+    {FILE_WITH(
+         "\"sky\": { \"type\": \"gradient\", \"zenith\": [1, -1, 1], \"horizon\": [1, 1, 1], "
+         "\"ground\": [0, 0, 0] }"),
+     TL_ERR_FORMAT,
+     {"sky", "not negative"}},
+    {FILE_WITH("\"sky\": { \"type\": \"latlong\" }"), TL_ERR_FORMAT, {"latlong", "\"image\""}},
 
     /* Missing, or where it does not belong. */
     {LIGHT("\"position\": [0, 0, 0]"), TL_ERR_FORMAT, {"lights[0]", "\"type\""}},
@@ -181,8 +229,8 @@ static void what_is_wrong_is_named(void **state)
     for (size_t i = 0; i < COUNT_OF(cases); i++) {
         tl_error err = {.status = TL_OK};
         tl_light_set set = {.ambient = {7.0f}};
-        const tl_status status =
-            tl_lights_parse(cases[i].text, strlen(cases[i].text), "lights.json", &set, &err);
+        const tl_status status = tl_lights_parse(cases[i].text, strlen(cases[i].text),
+                                                 "lights.json", NULL, &set, &err);
         assert_refused(cases[i].text, status, cases[i].status, &err, cases[i].words);
         assert_int_equal(strncmp(err.message, "lights.json:", 12), 0);
         assert_true(same_bits(set.ambient[0], 7.0f));
@@ -197,14 +245,14 @@ static void truncations_are_refused(void **state)
     (void)state;
     tl_error err;
     tl_light_set set = {0};
-    ASSERT_OK(tl_lights_parse(text, sizeof text - 1, "cut.json", &set, &err), err);
+    ASSERT_OK(tl_lights_parse(text, sizeof text - 1, "cut.json", NULL, &set, &err), err);
     tl_light_set_clear(&set);
     for (size_t length = 0; length < sizeof text - 1; length++) {
         /* A copy of the exact size, so that a sanitizer sees reading beyond it. */
         char *cut = malloc(length ? length : 1);
         assert_non_null(cut);
         memcpy(cut, text, length);
-        if (tl_lights_parse(cut, length, "cut.json", &set, &err) != TL_ERR_FORMAT ||
+        if (tl_lights_parse(cut, length, "cut.json", NULL, &set, &err) != TL_ERR_FORMAT ||
             !strstr(err.message, "cut.json"))
             fail_msg("cut to %zu bytes: %s", length, err.message);
         assert_null(set.lights);
@@ -223,8 +271,8 @@ static void deep_nesting(void **state)
     char *text = malloc(depth);
     assert_non_null(text);
     memset(text, '[', depth);
-    assert_refused("deep", tl_lights_parse(text, depth, "deep.json", &set, &err), TL_ERR_FORMAT,
-                   &err, words);
+    assert_refused("deep", tl_lights_parse(text, depth, "deep.json", NULL, &set, &err),
+                   TL_ERR_FORMAT, &err, words);
     free(text);
 }
 
@@ -243,7 +291,7 @@ static void more_rows_than_indices(void **state)
             end += sprintf(end, ", {}");
         end += sprintf(end, " ] }");
         const tl_status status =
-            tl_lights_parse(text, (size_t)(end - text), "rows.json", &set, &err);
+            tl_lights_parse(text, (size_t)(end - text), "rows.json", NULL, &set, &err);
         if (count == 255)
             ASSERT_OK(status, err);
         else
@@ -265,8 +313,8 @@ static void too_large(void **state)
     assert_non_null(text);
     memset(text, ' ', size);
     scratch_path(path, sizeof path, "large.json");
-    assert_refused("text", tl_lights_parse(text, size, "large.json", &set, &err), TL_ERR_FORMAT,
-                   &err, words);
+    assert_refused("text", tl_lights_parse(text, size, "large.json", NULL, &set, &err),
+                   TL_ERR_FORMAT, &err, words);
     save_bytes(path, text, size);
     assert_refused("file", tl_lights_read(path, &set, &err), TL_ERR_FORMAT, &err, words);
     remove(path);
@@ -287,7 +335,8 @@ static void too_many_to_write(void **state)
     memset(light.name, 'n', sizeof light.name - 1);
     for (int i = 0; i < 500000; i++)
         ASSERT_OK(tl_light_set_add(&set, &light, &err), err);
-    assert_refused("many", tl_lights_format(&set, &text, &err), TL_ERR_WRITE, &err, words);
+    assert_refused("many", tl_lights_format(&set, NULL, &text, &err), TL_ERR_WRITE, &err,
+                   words);
     assert_null(text);
     tl_light_set_clear(&set);
 }

@@ -37,7 +37,21 @@ static void next_direction(uint32_t *random, float out[3])
         out[i] = (float)(v[i] / sqrt(length2));
 }
 
-static tl_light next_light(uint32_t *random)
+/* A falloff table of the set's, of a size and numbers of its own. */
+static uint32_t next_table(uint32_t *random, tl_light_set *set)
+{
+    float values[40];
+    uint32_t table = 0;
+    tl_error err;
+    const uint32_t count = 2 + (next_random(random) >> 16) % 39;
+    for (uint32_t i = 0; i < count; i++)
+        values[i] = fminf(next_awkward(random), TL_MOST_WEIGHT);
+    ASSERT_OK(tl_light_set_add_table(set, values, count, &table, &err), err);
+    return table;
+}
+
+/* tables: of the set that it becomes part of; NULL: it has none. */
+static tl_light next_light(uint32_t *random, tl_light_set *tables)
 {
     tl_light light = tl_light_default();
     light.type = (tl_light_type)((next_random(random) >> 16) % TL_LIGHT_TYPE_COUNT);
@@ -51,9 +65,14 @@ static tl_light next_light(uint32_t *random)
     light.intensity = next_awkward(random);
     light.diffuse = next_awkward(random);
     light.specular = next_awkward(random);
+    if (next_random(random) >> 31)
+        light.ambient = next_awkward(random);
     if (light.type != TL_LIGHT_DIRECTIONAL && next_random(random) >> 31) {
         light.range = next_awkward(random) + FLT_MIN;
-        light.falloff = (tl_falloff)((next_random(random) >> 16) % TL_FALLOFF_COUNT);
+        light.falloff = (tl_falloff)((next_random(random) >> 16) %
+                                     (tables ? TL_FALLOFF_COUNT : TL_FALLOFF_TABLE));
+        if (light.falloff == TL_FALLOFF_TABLE)
+            light.table = next_table(random, tables);
         if (light.falloff == TL_FALLOFF_LINEAR && next_random(random) >> 31)
             light.begin = fminf(next_awkward(random), light.range);
     }
@@ -70,7 +89,16 @@ static void assert_same_lights(const tl_light_set *a, const tl_light_set *b)
 {
     assert_int_equal(a->count, b->count);
     assert_memory_equal(a->ambient, b->ambient, sizeof a->ambient);
+    assert_int_equal(a->sky_type, b->sky_type);
     assert_memory_equal(a->sky, b->sky, sizeof a->sky);
+    assert_memory_equal(a->zenith, b->zenith, sizeof a->zenith);
+    assert_memory_equal(a->ground, b->ground, sizeof a->ground);
+    assert_int_equal(a->table_count, b->table_count);
+    for (size_t i = 0; i < a->table_count; i++) {
+        assert_int_equal(a->tables[i].count, b->tables[i].count);
+        assert_memory_equal(a->tables[i].values, b->tables[i].values,
+                            a->tables[i].count * sizeof(float));
+    }
     assert_int_equal(a->model, b->model);
     assert_int_equal(a->has_shininess, b->has_shininess);
     assert_true(same_bits(a->shininess, b->shininess));
@@ -100,11 +128,14 @@ static void bit_for_bit(void **state)
     uint32_t random = 1;
     char *text = NULL;
     for (int i = 0; i < 3000; i++) {
-        const tl_light light = next_light(&random);
+        const tl_light light = next_light(&random, &set);
         ASSERT_OK(tl_light_set_add(&set, &light, &err), err);
     }
-    ASSERT_OK(tl_lights_format(&set, &text, &err), err);
-    ASSERT_OK(tl_lights_parse(text, strlen(text), "text", &back, &err), err);
+    set.sky_type = TL_SKY_GRADIENT;
+    memcpy(set.zenith, (float[]){0.1f, 0x1.fffffep-1f, 3e-45f}, sizeof set.zenith);
+    memcpy(set.ground, (float[]){1e30f, 0.0f, 0.3f}, sizeof set.ground);
+    ASSERT_OK(tl_lights_format(&set, NULL, &text, &err), err);
+    ASSERT_OK(tl_lights_parse(text, strlen(text), "text", NULL, &back, &err), err);
     assert_same_lights(&back, &set);
     free(text);
     tl_light_set_clear(&back);
@@ -151,8 +182,8 @@ static void every_row_of_materials(void **state)
             row.k = 3.0f * next_share(&random);
         ASSERT_OK(tl_light_set_add_material(&set, &row, &err), err);
     }
-    ASSERT_OK(tl_lights_format(&set, &text, &err), err);
-    ASSERT_OK(tl_lights_parse(text, strlen(text), "text", &back, &err), err);
+    ASSERT_OK(tl_lights_format(&set, NULL, &text, &err), err);
+    ASSERT_OK(tl_lights_parse(text, strlen(text), "text", NULL, &back, &err), err);
     assert_same_lights(&back, &set);
     free(text);
     tl_light_set_clear(&back);
@@ -171,7 +202,7 @@ static void rows_mean_what_they_say(void **state)
     (void)state;
     tl_error err;
     tl_light_set set = {0};
-    ASSERT_OK(tl_lights_parse(text, sizeof text - 1, "text", &set, &err), err);
+    ASSERT_OK(tl_lights_parse(text, sizeof text - 1, "text", NULL, &set, &err), err);
     assert_int_equal(set.model, TL_MODEL_BLINN_PHONG_NORMALIZED);
     assert_int_equal(set.material_count, 3);
     const tl_material_row *row = set.materials;
@@ -197,8 +228,8 @@ static void negative_zero(void **state)
     char *text = NULL;
     light.position[1] = -0.0f;
     ASSERT_OK(tl_light_set_add(&set, &light, &err), err);
-    ASSERT_OK(tl_lights_format(&set, &text, &err), err);
-    ASSERT_OK(tl_lights_parse(text, strlen(text), "text", &back, &err), err);
+    ASSERT_OK(tl_lights_format(&set, NULL, &text, &err), err);
+    ASSERT_OK(tl_lights_parse(text, strlen(text), "text", NULL, &back, &err), err);
     assert_same_lights(&back, &set);
     free(text);
     tl_light_set_clear(&back);
@@ -215,8 +246,8 @@ static void cut_names(void **state)
     char *text = NULL;
     strcpy(light.name, "caf\xc3");
     ASSERT_OK(tl_light_set_add(&set, &light, &err), err);
-    ASSERT_OK(tl_lights_format(&set, &text, &err), err);
-    ASSERT_OK(tl_lights_parse(text, strlen(text), "text", &back, &err), err);
+    ASSERT_OK(tl_lights_format(&set, NULL, &text, &err), err);
+    ASSERT_OK(tl_lights_parse(text, strlen(text), "text", NULL, &back, &err), err);
     assert_string_equal(back.lights[0].name, "caf");
     free(text);
     tl_light_set_clear(&back);
@@ -234,7 +265,7 @@ static void meaning(void **state)
         "    { \"type\": \"directional\", \"direction\": [0, -3, 4], \"castsShadow\": false "
         "},\n"
         "    { \"type\": \"point\", \"position\": [1, 2, 3], \"range\": 5, \"begin\": 1.5, "
-        "\"ambient\": 0,\n"
+        "\"ambient\": 0.25,\n"
         "      \"falloff\": \"linear\", \"diffuse\": 0.5, \"specular\": 0, \"name\": \"lamp\" "
         "},\n"
         "    { \"type\": \"spot\", \"position\": [0, 4, 0], \"direction\": [0, -1, 0],\n"
@@ -252,6 +283,7 @@ static void meaning(void **state)
     memcpy(lamp.position, (float[]){1.0f, 2.0f, 3.0f}, sizeof lamp.position);
     lamp.range = 5.0f;
     lamp.begin = 1.5f;
+    lamp.ambient = 0.25f;
     lamp.falloff = TL_FALLOFF_LINEAR;
     lamp.diffuse = 0.5f;
     lamp.specular = 0.0f;
@@ -267,7 +299,7 @@ static void meaning(void **state)
     ASSERT_OK(tl_light_set_add(&wanted, &sun, &err), err);
     ASSERT_OK(tl_light_set_add(&wanted, &lamp, &err), err);
     ASSERT_OK(tl_light_set_add(&wanted, &spot, &err), err);
-    ASSERT_OK(tl_lights_parse(text, sizeof text - 1, "text", &set, &err), err);
+    ASSERT_OK(tl_lights_parse(text, sizeof text - 1, "text", NULL, &set, &err), err);
     assert_same_lights(&set, &wanted);
     tl_light_set_clear(&set);
     tl_light_set_clear(&wanted);
@@ -286,7 +318,7 @@ static void through_a_file(void **state)
     assert_same_lights(&back, &set);
     /* More than the buffer that reading starts with; what `back` held is released. */
     for (int i = 0; i < 1000; i++) {
-        const tl_light light = next_light(&random);
+        const tl_light light = next_light(&random, NULL);
         ASSERT_OK(tl_light_set_add(&set, &light, &err), err);
         ASSERT_OK(tl_light_set_add(&back, &light, &err), err);
     }

@@ -2,6 +2,7 @@
  *
  * Every light is tried on every pixel: hard on hard, hard on random, random on random. */
 #include "hard_pixels.h"
+#include "rich_lights.h"
 
 #include "reference.h"
 #include "tilelight/layouts.h"
@@ -12,8 +13,10 @@ typedef struct bits_case {
     uint32_t present;
     enum tl_shading_model model;
     int spots;
-    int projection_count; /* perspective first */
-    size_t width_count;   /* of `widths`, from first_width on */
+    void (*make_sky)(
+        tl_light_set *set); /* and with it lights of every kind of shape; or NULL */
+    int projection_count;   /* perspective first */
+    size_t width_count;     /* of `widths`, from first_width on */
     size_t first_width;
 } bits_case;
 
@@ -32,6 +35,11 @@ static void every_width_agrees(tl_device *device, const bits_case *of)
         lights.model = of->model;
         if (of->spots)
             make_hard_spots(&lights);
+        if (of->make_sky) {
+            make_rich(&lights);
+            of->make_sky(&lights);
+        }
+        ASSERT_OK(tl_light_set_check(&lights, "hard", &err), err);
         ASSERT_OK(tl_prepare(g, &lights, &(tl_prepare_options){.tile_size = 16, .box_count = 1},
                              NULL, &prepared, &err),
                   err);
@@ -153,6 +161,58 @@ static void light_with(tl_device *device,
     light_frame(device, &options, g, lights, image);
 }
 
+/* One build each, and as many lights as can have shapes. */
+static void every_width_agrees_on_shapes(void **state)
+{
+    bits_case of = {.precision = TL_PRECISION_FLOAT,
+                    .present = TL_GROUP_BASE | TL_GROUP_PHONG | TL_GROUP_OCCLUSION,
+                    .spots = 1,
+                    .make_sky = make_gradient_sky,
+                    .projection_count = 1,
+                    .width_count = 2};
+    every_width_agrees(*state, &of);
+    of.make_sky = make_image_sky;
+    of.width_count = 1;
+    every_width_agrees(*state, &of);
+    of.precision = TL_PRECISION_DOUBLE;
+    if (tl_device_describe(*state).has_double)
+        every_width_agrees(*state, &of);
+}
+
+/* And both paths, every tile size and culling: lists with and without such lights. */
+static void shapes_know_nothing_of_tiles(void **state)
+{
+    static const struct {
+        tl_path path;
+        uint32_t tile_size;
+        tl_cull cull;
+    } ways[] = {{TL_PATH_CPU, 8, TL_CULL_SPLIT},
+                {TL_PATH_CPU, 64, TL_CULL_NONE},
+                {TL_PATH_CPU, 16, TL_CULL_RECT},
+                {TL_PATH_GPU, 16, TL_CULL_DEPTH}};
+    tl_light_set lights = {0};
+    tl_gbuffer *g = hard_frame(TL_PERSPECTIVE,
+                               TL_GROUP_BASE | TL_GROUP_PHONG | TL_GROUP_OCCLUSION, &lights);
+    tl_image *want = image_like(g), *got = image_like(g);
+    make_hard_spots(&lights);
+    make_rich(&lights);
+    make_gradient_sky(&lights);
+    light_with(NULL, TL_PRECISION_TWIN, 0, TL_PATH_AUTO, g, &lights, want);
+    for (size_t i = 0; i < COUNT_OF(ways); i++) {
+        tl_lighting_options options = tl_lighting_options_default();
+        options.vector_width = ways[i].path == TL_PATH_CPU ? widths[0] : 0;
+        options.path = ways[i].path;
+        options.tile_size = ways[i].tile_size;
+        options.cull = ways[i].cull;
+        light_frame(*state, &options, g, &lights, got);
+        assert_same_image(got, want, ways[i].path == TL_PATH_CPU ? "by tiles" : "by pixels");
+    }
+    tl_light_set_clear(&lights);
+    tl_image_destroy(want);
+    tl_image_destroy(got);
+    tl_gbuffer_destroy(g);
+}
+
 static void every_width_agrees_where_lobes_share_a_colour(void **state)
 {
     tl_light_set lights = {0};
@@ -214,6 +274,8 @@ int main(void)
         cmocka_unit_test(every_width_agrees_where_lobes_share_a_colour),
         cmocka_unit_test(every_width_agrees_on_metal),
         cmocka_unit_test(every_width_agrees_on_spots),
+        cmocka_unit_test(every_width_agrees_on_shapes),
+        cmocka_unit_test(shapes_know_nothing_of_tiles),
         cmocka_unit_test(every_width_agrees_in_double),
     };
     return cmocka_run_group_tests(tests, open_device, close_device);

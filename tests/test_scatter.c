@@ -176,12 +176,12 @@ static void one_pixel_is_enough(void **state)
     tl_light_set set = {0};
     tl_error err;
     (void)state;
-    for (tl_falloff falloff = 0; falloff < TL_FALLOFF_COUNT; falloff++) {
+    for (tl_falloff falloff = 0; falloff < TL_FALLOFF_TABLE; falloff++) {
         options.falloff = falloff;
         ASSERT_OK(tl_scatter(wall, &options, &set, &err), err);
         ASSERT_OK(tl_light_set_check(&set, "scattered", &err), err);
     }
-    assert_int_equal(set.count, TL_FALLOFF_COUNT * options.count);
+    assert_int_equal(set.count, TL_FALLOFF_TABLE * options.count);
     tl_light_set_clear(&set);
     tl_gbuffer_destroy(wall);
 }
@@ -192,15 +192,17 @@ static void the_impossible_is_refused(void **state)
         const char *name, *word;
         uint32_t count, wall_end;
         float overlap, range, intensity;
+        tl_falloff falloff;
     } cases[] = {
-        {"all sky", "sky", 8, 0, 12, 0, 0},
-        {"no lights", "scattered", 0, 1, 12, 0, 0},
-        {"too many", "1000000", TL_MAX_SCATTERED + 1, 1, 12, 0, 0},
-        {"no overlap", "overlap", 8, 1, 0, 0, 0},
-        {"overlap NaN", "overlap", 8, 1, NAN, 0, 0},
-        {"negative range", "range", 8, 1, 12, -1, 0},
-        {"infinite range", "range", 8, 1, 12, INFINITY, 0},
-        {"intensity NaN", "intensity", 8, 1, 12, 0, NAN},
+        {"all sky", "sky", 8, 0, 12, 0, 0, 0},
+        {"no lights", "scattered", 0, 1, 12, 0, 0, 0},
+        {"too many", "1000000", TL_MAX_SCATTERED + 1, 1, 12, 0, 0, 0},
+        {"no overlap", "overlap", 8, 1, 0, 0, 0, 0},
+        {"overlap NaN", "overlap", 8, 1, NAN, 0, 0, 0},
+        {"negative range", "range", 8, 1, 12, -1, 0, 0},
+        {"infinite range", "range", 8, 1, 12, INFINITY, 0, 0},
+        {"intensity NaN", "intensity", 8, 1, 12, 0, NAN, 0},
+        {"a table", "table", 8, 1, 12, 0, 0, TL_FALLOFF_TABLE},
     };
     (void)state;
     for (size_t i = 0; i < COUNT_OF(cases); i++) {
@@ -208,7 +210,8 @@ static void the_impossible_is_refused(void **state)
         const tl_scatter_options options = {.count = cases[i].count,
                                             .overlap = cases[i].overlap,
                                             .range = cases[i].range,
-                                            .intensity = cases[i].intensity};
+                                            .intensity = cases[i].intensity,
+                                            .falloff = cases[i].falloff};
         const tl_light kept = tl_light_default();
         tl_light_set set = {0};
         tl_error err;

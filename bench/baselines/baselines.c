@@ -97,6 +97,11 @@ tl_status tl_baseline_check(const tl_needs *needs,
         return tl_fail(err, TL_ERR_UNSUPPORTED, "knows no exponent for all surfaces");
     if (needs->spots)
         return tl_fail(err, TL_ERR_UNSUPPORTED, "knows no spot lights");
+    if (needs->shapes)
+        return tl_fail(err, TL_ERR_UNSUPPORTED,
+                       "knows no falloff tables, textures and ambient lobes of lights");
+    if (needs->sky)
+        return tl_fail(err, TL_ERR_UNSUPPORTED, "knows no sky of more than one colour");
     if (needs->falloffs & ~falloffs)
         return tl_fail(err, TL_ERR_UNSUPPORTED, "knows no linear falloff that begins later");
     return TL_OK;

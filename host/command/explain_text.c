@@ -139,17 +139,41 @@ static void add_models(char *text, const tl_brdf_table *table)
         }
 }
 
-static void add_setting(char *text, const job *j, tl_cause cause)
+/* Lights with ambient lobes call for it, too. */
+static void add_ambient(char *text, const job *j, const explained *e)
+{
+    const float *color = j->lights.ambient;
+    if (color[0] > 0.0f || color[1] > 0.0f || color[2] > 0.0f) {
+        add_color(text, "ambient light", color);
+        return;
+    }
+    add(text, "ambient lobe of ");
+    add_lights(text, j, e->of.lights[TL_CAUSE_AMBIENT_LOBE]);
+}
+
+static void add_gradient(char *text, const tl_light_set *lights)
+{
+    add_color(text, "sky", lights->zenith);
+    add_color(text, " to", lights->sky);
+    add_color(text, " to", lights->ground);
+}
+
+static void add_setting(char *text, const job *j, const explained *e, tl_cause cause)
 {
     tl_brdf_table table;
     tl_error unlikely; /* it has lit the frame */
     if (tl_brdf_table_make(j->gbuffer, &j->lights, &table, &unlikely) != TL_OK)
         return;
     switch (cause) {
-    case TL_CAUSE_AMBIENT: add_color(text, "ambient light", j->lights.ambient); return;
+    case TL_CAUSE_AMBIENT: add_ambient(text, j, e); return;
     case TL_CAUSE_SKY: add_color(text, "sky", j->lights.sky); return;
     case TL_CAUSE_MODEL: add_models(text, &table); return;
     case TL_CAUSE_ROWS: add_rows(text, j, &table); return;
+    case TL_CAUSE_SKY_GRADIENT: add_gradient(text, &j->lights); return;
+    case TL_CAUSE_SKY_IMAGE:
+        add(text, "sky");
+        add_name(text, j->lights.images[j->lights.sky_image - 1].path);
+        return;
     default: add(text, "%s", tl_cause_rows[cause].what); return;
     }
 }
@@ -170,7 +194,7 @@ static void add_cause(char *text, const job *j, const explained *e, tl_cause cau
         else
             add(text, "plane%s %s", strchr(planes, ',') ? "s" : "", planes);
         return;
-    case TL_CAUSE_OF_FRAME: add_setting(text, j, cause); return;
+    case TL_CAUSE_OF_FRAME: add_setting(text, j, e, cause); return;
     }
 }
 

@@ -2,6 +2,7 @@
 #include "json_values.h"
 #include "light_fields.h"
 #include "material_rows.h"
+#include "printable.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -17,6 +18,21 @@ typedef struct type_info {
     size_t count, ranged_count;
     double least_range, most_range, least_intensity, most_intensity;
 } type_info;
+
+typedef struct shape_info {
+    size_t tables, textures, ambient; /* lights */
+} shape_info;
+
+static shape_info shape_info_of(const tl_light_set *set)
+{
+    shape_info out = {0};
+    for (size_t i = 0; i < set->count; i++) {
+        out.tables += set->lights[i].table > 0;
+        out.textures += set->lights[i].texture > 0;
+        out.ambient += set->lights[i].ambient > 0.0f;
+    }
+    return out;
+}
 
 static type_info type_info_of(const tl_light_set *set, tl_light_type type)
 {
@@ -57,6 +73,36 @@ static void print_row(const tl_material_row *row, const char *heading)
     putchar('\n');
 }
 
+static void print_color(const char *before, const float color[3])
+{
+    printf("%s(%.6g, %.6g, %.6g)", before, (double)color[0], (double)color[1],
+           (double)color[2]);
+}
+
+/* A path of a file, without what steers a terminal. */
+static void print_path(const char *path)
+{
+    putchar('"');
+    for (; *path; path++)
+        putchar(tl_printable(*path));
+    putchar('"');
+}
+
+static void print_sky(const tl_light_set *set)
+{
+    if (set->sky_type == TL_SKY_IMAGE) {
+        printf("sky ");
+        print_path(set->images[set->sky_image - 1].path);
+    } else if (set->sky_type == TL_SKY_GRADIENT) {
+        print_color("sky ", set->zenith);
+        print_color(" to ", set->sky);
+        print_color(" to ", set->ground);
+    } else {
+        print_color("sky ", set->sky);
+    }
+    putchar('\n');
+}
+
 /* As a lights file has it. */
 static json_t *row_json(const tl_material_row *row)
 {
@@ -85,11 +131,26 @@ static json_t *rows_json(const tl_light_set *set)
     return out;
 }
 
+/* Lights with more than most have, and the pictures. */
+static void print_shapes(const tl_light_set *set)
+{
+    const shape_info info = shape_info_of(set);
+    if (info.tables + info.textures + info.ambient > 0)
+        printf("of them     %zu with a falloff table, %zu with a texture, %zu with an ambient "
+               "lobe\n",
+               info.tables, info.textures, info.ambient);
+    for (size_t i = 0; i < set->image_count; i++) {
+        printf("image       ");
+        print_path(set->images[i].path);
+        printf(", %u x %u pixels\n", set->images[i].width, set->images[i].height);
+    }
+}
+
 void info_print_lights(const tl_light_set *set)
 {
-    printf("lights      %zu, ambient (%.6g, %.6g, %.6g), sky (%.6g, %.6g, %.6g)\n", set->count,
-           (double)set->ambient[0], (double)set->ambient[1], (double)set->ambient[2],
-           (double)set->sky[0], (double)set->sky[1], (double)set->sky[2]);
+    printf("lights      %zu, ambient (%.6g, %.6g, %.6g), ", set->count, (double)set->ambient[0],
+           (double)set->ambient[1], (double)set->ambient[2]);
+    print_sky(set);
     printf("model       %s\n", tl_model_words[set->model]);
     if (set->has_shininess)
         printf("shininess   %.6g, of all surfaces\n", (double)set->shininess);
@@ -107,6 +168,7 @@ void info_print_lights(const tl_light_set *set)
             printf(", %zu without range", info.count - info.ranged_count);
         putchar('\n');
     }
+    print_shapes(set);
 }
 
 static json_t *type_json(const type_info *info)
@@ -121,6 +183,30 @@ static json_t *type_json(const type_info *info)
     return out;
 }
 
+/* Of one colour, as it is; else an object as of a lights file. */
+static json_t *sky_json(const tl_light_set *set)
+{
+    if (set->sky_type == TL_SKY_CONSTANT)
+        return tl_json_numbers(set->sky, 3);
+    if (set->sky_type == TL_SKY_GRADIENT)
+        return json_pack(
+            "{ss so so so}", "type", "gradient", "zenith", tl_json_numbers(set->zenith, 3),
+            "horizon", tl_json_numbers(set->sky, 3), "ground", tl_json_numbers(set->ground, 3));
+    return json_pack("{ss ss* sf sf}", "type", "image", "image",
+                     set->images[set->sky_image - 1].path, "intensity",
+                     (double)set->sky_intensity, "rotation", (double)set->sky_rotation);
+}
+
+static json_t *images_json(const tl_light_set *set)
+{
+    json_t *out = json_array();
+    for (size_t i = 0; i < set->image_count; i++)
+        json_array_append_new(out,
+                              json_pack("{ss* s[ii]}", "path", set->images[i].path, "size",
+                                        (int)set->images[i].width, (int)set->images[i].height));
+    return out;
+}
+
 json_t *info_lights_json(const tl_light_set *set)
 {
     json_t *types = json_object();
@@ -130,8 +216,11 @@ json_t *info_lights_json(const tl_light_set *set)
             json_object_set_new(types, type_words[type], type_json(&info));
     }
     json_t *shininess = set->has_shininess ? json_real((double)set->shininess) : json_null();
-    return json_pack("{sI so so ss so so so}", "count", (json_int_t)set->count, "ambient",
-                     tl_json_numbers(set->ambient, 3), "sky", tl_json_numbers(set->sky, 3),
-                     "model", tl_model_words[set->model], "shininess", shininess, "materials",
-                     rows_json(set), "types", types);
+    const shape_info info = shape_info_of(set);
+    return json_pack("{sI so so ss so so so so s{sI sI sI}}", "count", (json_int_t)set->count,
+                     "ambient", tl_json_numbers(set->ambient, 3), "sky", sky_json(set), "model",
+                     tl_model_words[set->model], "shininess", shininess, "materials",
+                     rows_json(set), "types", types, "images", images_json(set), "with",
+                     "table", (json_int_t)info.tables, "texture", (json_int_t)info.textures,
+                     "ambient", (json_int_t)info.ambient);
 }

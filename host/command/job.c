@@ -45,9 +45,9 @@ done:
 
 bool job_has_lights(const job *j)
 {
-    bool any = j->lights.count > 0;
+    bool any = j->lights.count > 0 || tl_light_set_has_sky(&j->lights);
     for (int i = 0; i < 3; i++)
-        any = any || j->lights.ambient[i] > 0.0f || j->lights.sky[i] > 0.0f;
+        any = any || j->lights.ambient[i] > 0.0f;
     return any;
 }
 

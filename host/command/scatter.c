@@ -28,7 +28,8 @@ enum {
 
 #define FALLOFF_WORD(name, word) [name] = word,
 static const char *const falloff_words[] = {TL_FALLOFFS(FALLOFF_WORD)};
-static const value_words falloffs = {"falloff", "falloffs", falloff_words, TL_FALLOFF_COUNT};
+static const value_words falloffs = {"falloff", "falloffs", falloff_words,
+                                     TL_FALLOFF_TABLE}; /* which would need a table */
 
 static void check_together(const scatter_command *options, struct argp_state *state)
 {

@@ -118,7 +118,7 @@ static tl_status read_lights(tl_exr_reader *reader, tl_light_set *lights, tl_err
                     reader->stream.path));
     snprintf(source, sizeof source, "%.900s: attribute \"tilelight:lights\"",
              reader->stream.path);
-    TRY(tl_lights_parse(text, (size_t)length, source, lights, err));
+    TRY(tl_lights_parse(text, (size_t)length, source, reader->stream.path, lights, err));
 done:
     return status;
 }

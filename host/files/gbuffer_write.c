@@ -85,7 +85,7 @@ static tl_status set_attributes(tl_exr_stream *stream,
     TRY(tl_material_attribute_write(stream, &gbuffer->materials, err));
     TRY(tl_camera_attributes_write(stream, &gbuffer->camera, err));
     if (lights) {
-        TRY(tl_lights_format(lights, &text, err));
+        TRY(tl_lights_format(lights, stream->path, &text, err));
         TRY(tl_exr_check(stream, exr_attr_set_string(context, 0, "tilelight:lights", text),
                          err));
     }

@@ -18,10 +18,14 @@ const tl_light_field tl_light_fields[TL_LIGHT_FIELD_COUNT] = {
     {"range", TL_FIELD_NUMBER, offsetof(tl_light, range), PLACED, false},
     {"begin", TL_FIELD_NUMBER, offsetof(tl_light, begin), PLACED, false},
     {"falloff", TL_FIELD_FALLOFF, offsetof(tl_light, falloff), PLACED, false},
+    {"lut", TL_FIELD_TABLE, offsetof(tl_light, table), PLACED, false},
     {"diffuse", TL_FIELD_NUMBER, offsetof(tl_light, diffuse), ANY, false},
     {"specular", TL_FIELD_NUMBER, offsetof(tl_light, specular), ANY, false},
+    {"ambient", TL_FIELD_NUMBER, offsetof(tl_light, ambient), ANY, false},
     {"innerConeAngle", TL_FIELD_NUMBER, offsetof(tl_light, inner_cone), SPOT, false},
     {"outerConeAngle", TL_FIELD_NUMBER, offsetof(tl_light, outer_cone), SPOT, false},
+    {"texture", TL_FIELD_IMAGE, offsetof(tl_light, texture), PLACED, false},
+    {"up", TL_FIELD_UNIT, offsetof(tl_light, up), PLACED, false},
 };
 
 const char *const tl_light_type_words[TL_LIGHT_TYPE_COUNT] = {

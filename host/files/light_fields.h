@@ -15,7 +15,9 @@ typedef enum tl_field_kind {
     TL_FIELD_VECTOR,  /* float [3] */
     TL_FIELD_UNIT,    /* float [3] of length 1 */
     TL_FIELD_FALLOFF, /* tl_falloff, as its word */
-    TL_FIELD_NAME     /* char [64] */
+    TL_FIELD_NAME,    /* char [64] */
+    TL_FIELD_TABLE,   /* uint32_t: 1 + index of the set's tables, as an array of numbers */
+    TL_FIELD_IMAGE    /* uint32_t: 1 + index of the set's images, as a path */
 } tl_field_kind;
 
 typedef struct tl_light_field {
@@ -26,10 +28,23 @@ typedef struct tl_light_field {
     bool is_required; /* by those types; else tl_light_default has the default */
 } tl_light_field;
 
-enum { TL_LIGHT_FIELD_COUNT = 12 };
+enum { TL_LIGHT_FIELD_COUNT = 16 };
 
 /* `type` itself is not among them: it decides which of them apply. */
 extern const tl_light_field tl_light_fields[TL_LIGHT_FIELD_COUNT];
+
+/* A field of the sky, whose `type` is none of them. */
+typedef struct tl_sky_field {
+    const char *name;
+    tl_sky type; /* that has it */
+    tl_field_kind kind;
+    size_t offset; /* in tl_light_set */
+    bool is_required;
+} tl_sky_field;
+
+enum { TL_SKY_FIELD_COUNT = 7 };
+extern const tl_sky_field tl_sky_fields[TL_SKY_FIELD_COUNT];
+extern const char *const tl_sky_type_words[TL_SKY_COUNT];
 
 extern const char *const tl_light_type_words[TL_LIGHT_TYPE_COUNT];
 extern const char *const tl_falloff_words[TL_FALLOFF_COUNT];

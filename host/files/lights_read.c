@@ -1,8 +1,10 @@
 #include "tilelight/lights.h"
 
 #include "light_fields.h"
+#include "light_images.h"
 #include "light_values.h"
 #include "material_rows_read.h"
+#include "sky_read.h"
 #include "try.h"
 #include "whole_file.h"
 
@@ -29,10 +31,10 @@ static tl_place place_of_light(const char *source, size_t index, const json_t *l
  * nothing. */
 static const struct {
     const char *name;
-    enum { NEVER, IF_FALSE, IF_ZERO } harmless;
+    enum { NEVER, IF_FALSE } harmless;
 } later_fields[] = {
-    {"ambient", IF_ZERO}, {"castsShadow", IF_FALSE}, {"texture", NEVER},
-    {"lut", NEVER},       {"group", NEVER},
+    {"castsShadow", IF_FALSE},
+    {"group", NEVER},
 };
 enum { LATER_COUNT = sizeof later_fields / sizeof later_fields[0] };
 
@@ -46,9 +48,7 @@ static tl_status check_later(const tl_place *at,
     for (size_t i = 0; i < LATER_COUNT; i++) {
         if (strcmp(key, later_fields[i].name) != 0)
             continue;
-        if ((later_fields[i].harmless == IF_FALSE && json_is_false(value)) ||
-            (later_fields[i].harmless == IF_ZERO && json_is_number(value) &&
-             fpclassify(json_number_value(value)) == FP_ZERO))
+        if (later_fields[i].harmless == IF_FALSE && json_is_false(value))
             return TL_OK;
         return tl_fail(err, TL_ERR_UNSUPPORTED,
                        "%s:%s field \"%s\" is not supported by this version; remove it",
@@ -65,15 +65,30 @@ static tl_status read_falloff(
     const tl_place *at, const char *field, const json_t *value, tl_falloff *out, tl_error *err)
 {
     int index = 0;
-    const char *word = json_string_value(value);
-    if (word && strcmp(word, "lut") == 0)
-        return tl_fail(err, TL_ERR_UNSUPPORTED,
-                       "%s:%s falloff \"lut\" is not supported by this version", at->source,
-                       at->inside);
     const tl_status status =
         tl_read_word(at, field, value, tl_falloff_words, TL_FALLOFF_COUNT, &index, err);
     if (status == TL_OK)
         *out = (tl_falloff)index;
+    return status;
+}
+
+static tl_status read_table(const tl_place *at,
+                            const char *field,
+                            const json_t *value,
+                            tl_light_set *set,
+                            uint32_t *out,
+                            tl_error *err)
+{
+    tl_status status = TL_OK;
+    const size_t count = json_array_size(value); /* 0 of what is no array */
+    float read[TL_MOST_SAMPLES];
+    if (count < TL_LEAST_SAMPLES || count > TL_MOST_SAMPLES)
+        TRY(tl_fail(err, TL_ERR_FORMAT, "%s:%s \"%s\" must be an array of %d to %d numbers",
+                    at->source, at->inside, field, TL_LEAST_SAMPLES, TL_MOST_SAMPLES));
+    for (size_t i = 0; i < count; i++)
+        TRY(tl_read_number(at, field, json_array_get(value, i), &read[i], err));
+    TRY(tl_light_set_add_table(set, read, (uint32_t)count, out, err));
+done:
     return status;
 }
 
@@ -98,6 +113,7 @@ static tl_status read_name(
 static tl_status read_field(const tl_place *at,
                             const tl_light_field *field,
                             const json_t *value,
+                            tl_light_set *set,
                             tl_light *light,
                             tl_error *err)
 {
@@ -107,14 +123,20 @@ static tl_status read_field(const tl_place *at,
     case TL_FIELD_VECTOR: return tl_read_vector(at, field->name, value, to, err);
     case TL_FIELD_UNIT: return tl_read_unit(at, field->name, value, to, err);
     case TL_FIELD_FALLOFF: return read_falloff(at, field->name, value, to, err);
+    case TL_FIELD_TABLE: return read_table(at, field->name, value, set, to, err);
+    case TL_FIELD_IMAGE: return tl_light_image_read(at, field->name, value, set, to, err);
     case TL_FIELD_NAME: break;
     }
     return read_name(at, field->name, value, to, err);
 }
 
 /* One "key": value of a light whose type is known. */
-static tl_status read_member(
-    const tl_place *at, const char *key, const json_t *value, tl_light *light, tl_error *err)
+static tl_status read_member(const tl_place *at,
+                             const char *key,
+                             const json_t *value,
+                             tl_light_set *set,
+                             tl_light *light,
+                             tl_error *err)
 {
     if (strcmp(key, "type") == 0)
         return TL_OK;
@@ -125,13 +147,17 @@ static tl_status read_member(
         if (!(field->types >> light->type & 1))
             return tl_fail(err, TL_ERR_FORMAT, "%s:%s a %s light has no \"%s\"; remove it",
                            at->source, at->inside, tl_light_type_words[light->type], key);
-        return read_field(at, field, value, light, err);
+        return read_field(at, field, value, set, light, err);
     }
     return check_later(at, key, value, err);
 }
 
-static tl_status read_light(
-    const char *source, size_t index, json_t *object, tl_light *out, tl_error *err)
+static tl_status read_light(const char *source,
+                            size_t index,
+                            json_t *object,
+                            tl_light_set *set,
+                            tl_light *out,
+                            tl_error *err)
 {
     tl_status status = TL_OK;
     const tl_place at = place_of_light(source, index, object);
@@ -145,7 +171,7 @@ static tl_status read_light(
     TRY(tl_read_word(&at, "type", json_object_get(object, "type"), tl_light_type_words,
                      TL_LIGHT_TYPE_COUNT, &type, err));
     light.type = (tl_light_type)type;
-    json_object_foreach(object, key, value) TRY(read_member(&at, key, value, &light, err));
+    json_object_foreach(object, key, value) TRY(read_member(&at, key, value, set, &light, err));
     for (size_t i = 0; i < TL_LIGHT_FIELD_COUNT; i++) {
         const tl_light_field *field = &tl_light_fields[i];
         if (field->is_required && (field->types >> type & 1) &&
@@ -174,7 +200,7 @@ static tl_status read_lights(const tl_place *at,
     json_array_foreach(array, i, object)
     {
         tl_light light;
-        TRY(read_light(at->source, i, object, &light, err));
+        TRY(read_light(at->source, i, object, set, &light, err));
         TRY(tl_light_set_add(set, &light, err));
     }
 done:
@@ -187,39 +213,6 @@ static tl_status read_ambient(const tl_place *at,
                               tl_error *err)
 {
     return tl_read_vector(at, "ambient", value, set->ambient, err);
-}
-
-static tl_status read_sky(const tl_place *at, json_t *sky, tl_light_set *set, tl_error *err)
-{
-    static const char *const words[] = {"type", "color"};
-    static const char *const later[] = {"gradient", "latlong"};
-    tl_status status = TL_OK;
-    const tl_place in_sky = {.source = at->source, .inside = " sky:"};
-    const char *type = json_string_value(json_object_get(sky, "type"));
-    const char *key;
-    json_t *value;
-    if (!json_is_object(sky) || !type)
-        TRY(tl_fail(err, TL_ERR_FORMAT, "%s: \"sky\" must be an object with a \"type\"",
-                    at->source));
-    for (size_t i = 0; i < sizeof later / sizeof later[0]; i++)
-        if (strcmp(type, later[i]) == 0)
-            TRY(tl_fail(
-                err, TL_ERR_UNSUPPORTED,
-                "%s: a sky of type \"%s\" is not supported by this version; \"constant\" "
-                "is",
-                at->source, type));
-    if (strcmp(type, "constant") != 0)
-        TRY(tl_fail(err, TL_ERR_FORMAT,
-                    "%s: unknown sky type \"%.64s\"; it must be \"constant\"", at->source,
-                    type));
-    json_object_foreach(sky, key,
-                        value) if (strcmp(key, "type") != 0 && strcmp(key, "color") != 0)
-        TRY(tl_unknown_field(&in_sky, key, words, 2, err));
-    if (!json_object_get(sky, "color"))
-        TRY(tl_fail(err, TL_ERR_FORMAT, "%s: a constant sky needs \"color\"", at->source));
-    TRY(tl_read_vector(&in_sky, "color", json_object_get(sky, "color"), set->sky, err));
-done:
-    return status;
 }
 
 static tl_status read_version(const tl_place *at,
@@ -272,7 +265,7 @@ static tl_status read_top(const char *source, json_t *root, tl_light_set *set, t
         const char *name;
         tl_status (*read)(const tl_place *at, json_t *value, tl_light_set *set, tl_error *err);
     } members[] = {{"tilelight", read_version}, {"ambient", read_ambient},
-                   {"sky", read_sky},           {"lights", read_lights},
+                   {"sky", tl_sky_read},        {"lights", read_lights},
                    {"model", read_model},       {"shininess", read_shininess},
                    {"materials", read_later}};
     enum { MEMBER_COUNT = sizeof members / sizeof members[0] };
@@ -305,8 +298,12 @@ done:
     return status;
 }
 
-tl_status tl_lights_parse(
-    const char *text, size_t size, const char *source, tl_light_set *set, tl_error *err)
+tl_status tl_lights_parse(const char *text,
+                          size_t size,
+                          const char *source,
+                          const char *file,
+                          tl_light_set *set,
+                          tl_error *err)
 {
     tl_status status = TL_OK;
     tl_light_set made = {0};
@@ -322,6 +319,7 @@ tl_status tl_lights_parse(
     if (!root)
         TRY(tl_fail(err, TL_ERR_FORMAT, "%s: line %d, column %d: is not JSON: %s", source,
                     error.line, error.column, error.text));
+    TRY(tl_light_images_begin(&made, file, err));
     TRY(read_top(source, root, &made, err));
     TRY(tl_light_set_check(&made, source, err));
     tl_light_set_clear(set);
@@ -340,7 +338,7 @@ tl_status tl_lights_read(const char *path, tl_light_set *set, tl_error *err)
     tl_status status = tl_whole_file_read(path, TL_LIGHTS_TEXT_LIMIT, &text, &size, err);
     if (status == TL_OK)
         status = tl_lights_parse(text, size, strcmp(path, "-") == 0 ? "standard input" : path,
-                                 set, err);
+                                 path, set, err);
     free(text);
     return status;
 }

@@ -2,6 +2,7 @@
 #include "tilelight/lights.h"
 
 #include "light_fields.h"
+#include "light_images.h"
 #include "material_rows.h"
 #include "whole_file.h"
 
@@ -46,14 +47,44 @@ static void print_name(FILE *out, const char *name)
     json_decref(string);
 }
 
-static void print_field(FILE *out, const tl_light_field *field, const tl_light *light)
+static void print_table(FILE *out, const tl_light_table *table)
 {
+    for (uint32_t i = 0; i < table->count; i++) {
+        fputs(i == 0 ? "[" : ", ", out);
+        print_number(out, table->values[i]);
+    }
+    fputc(']', out);
+}
+
+/* What is written, and where to. */
+typedef struct writing {
+    FILE *out;
+    const tl_light_set *set;
+    const char *file;
+    int failed; /* memory ran out */
+} writing;
+
+static void print_image(writing *w, uint32_t number)
+{
+    char *name = tl_light_image_name(w->set, &w->set->images[number - 1], w->file);
+    w->failed |= !name;
+    print_name(w->out, name ? name : "");
+    free(name);
+}
+
+static void print_field(writing *w, const tl_light_field *field, const tl_light *light)
+{
+    FILE *const out = w->out;
     const char *at = (const char *)light + field->offset;
     fprintf(out, ", \"%s\": ", field->name);
     if (field->kind == TL_FIELD_NUMBER)
         print_number(out, *(const float *)(const void *)at);
     else if (field->kind == TL_FIELD_NAME)
         print_name(out, at);
+    else if (field->kind == TL_FIELD_TABLE)
+        print_table(out, &w->set->tables[light->table - 1]);
+    else if (field->kind == TL_FIELD_IMAGE)
+        print_image(w, light->texture);
     else if (field->kind == TL_FIELD_FALLOFF)
         fprintf(out, "\"%s\"", tl_falloff_words[*(const tl_falloff *)(const void *)at]);
     else
@@ -68,25 +99,27 @@ static size_t field_size(tl_field_kind kind)
         [TL_FIELD_UNIT] = 3 * sizeof(float),
         [TL_FIELD_FALLOFF] = sizeof(tl_falloff),
         [TL_FIELD_NAME] = 1, /* empty or not */
+        [TL_FIELD_TABLE] = sizeof(uint32_t),
+        [TL_FIELD_IMAGE] = sizeof(uint32_t),
     };
     return sizes[kind];
 }
 
 /* Fields that hold their default, bit for bit, are left out: a range of infinity among them, which
  * JSON could not say. */
-static void print_light(FILE *out, const tl_light *light)
+static void print_light(writing *w, const tl_light *light)
 {
     const tl_light standard = tl_light_default();
-    fprintf(out, "    { \"type\": \"%s\"", tl_light_type_words[light->type]);
+    fprintf(w->out, "    { \"type\": \"%s\"", tl_light_type_words[light->type]);
     for (size_t i = 0; i < TL_LIGHT_FIELD_COUNT; i++) {
         const tl_light_field *field = &tl_light_fields[i];
         const int differs =
             memcmp((const char *)light + field->offset, (const char *)&standard + field->offset,
                    field_size(field->kind)) != 0;
         if ((field->types >> light->type & 1) && (field->is_required || differs))
-            print_field(out, field, light);
+            print_field(w, field, light);
     }
-    fputs(" }", out);
+    fputs(" }", w->out);
 }
 
 static void print_row(FILE *out, const tl_material_row *row)
@@ -125,12 +158,33 @@ static void print_materials(FILE *out, const tl_light_set *set)
         fputs("\n  ]", out);
 }
 
-static void print_set(FILE *out, const tl_light_set *set)
+/* All fields of its type: none that may be left out is long. */
+static void print_sky(writing *w)
 {
+    fprintf(w->out, "{ \"type\": \"%s\"", tl_sky_type_words[w->set->sky_type]);
+    for (size_t i = 0; i < TL_SKY_FIELD_COUNT; i++) {
+        const tl_sky_field *field = &tl_sky_fields[i];
+        const void *at = (const char *)w->set + field->offset;
+        if (field->type != w->set->sky_type)
+            continue;
+        fprintf(w->out, ", \"%s\": ", field->name);
+        if (field->kind == TL_FIELD_VECTOR)
+            print_vector(w->out, at);
+        else if (field->kind == TL_FIELD_IMAGE)
+            print_image(w, w->set->sky_image);
+        else
+            print_number(w->out, *(const float *)at);
+    }
+}
+
+static void print_set(writing *w)
+{
+    FILE *const out = w->out;
+    const tl_light_set *const set = w->set;
     fputs("{ \"tilelight\": 1,\n  \"ambient\": ", out);
     print_vector(out, set->ambient);
-    fputs(",\n  \"sky\": { \"type\": \"constant\", \"color\": ", out);
-    print_vector(out, set->sky);
+    fputs(",\n  \"sky\": ", out);
+    print_sky(w);
     fputs(" }", out);
     if (set->model != (enum tl_shading_model)0)
         fprintf(out, ",\n  \"model\": \"%s\"", tl_model_words[set->model]);
@@ -142,12 +196,12 @@ static void print_set(FILE *out, const tl_light_set *set)
     fputs(",\n  \"lights\": [", out);
     for (size_t i = 0; i < set->count; i++) {
         fputs(i == 0 ? "\n" : ",\n", out);
-        print_light(out, &set->lights[i]);
+        print_light(w, &set->lights[i]);
     }
     fputs(set->count > 0 ? "\n  ] }\n" : "] }\n", out);
 }
 
-tl_status tl_lights_format(const tl_light_set *set, char **out, tl_error *err)
+tl_status tl_lights_format(const tl_light_set *set, const char *file, char **out, tl_error *err)
 {
     char *text = NULL;
     size_t size = 0;
@@ -157,9 +211,10 @@ tl_status tl_lights_format(const tl_light_set *set, char **out, tl_error *err)
     int failed = !stream;
     if (stream) {
         const locale_t before = uselocale(plain);
-        print_set(stream, set);
+        writing w = {.out = stream, .set = set, .file = file};
+        print_set(&w);
         uselocale(before);
-        failed = ferror(stream);
+        failed = w.failed || ferror(stream);
         failed = fclose(stream) != 0 || failed;
     }
     if (plain)
@@ -182,7 +237,7 @@ tl_status tl_lights_format(const tl_light_set *set, char **out, tl_error *err)
 tl_status tl_lights_write(const char *path, const tl_light_set *set, tl_error *err)
 {
     char *text = NULL;
-    tl_status status = tl_lights_format(set, &text, err);
+    tl_status status = tl_lights_format(set, path, &text, err);
     if (status == TL_OK)
         status = tl_whole_file_write(path, text, strlen(text), err);
     free(text);

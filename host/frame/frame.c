@@ -3,8 +3,10 @@
 #include "brdf_table.h"
 #include "falloff.h"
 #include "layout.h"
+#include "map.h"
 #include "scene_causes.h"
 #include "sections.h"
+#include "shapes.h"
 #include "spot_cone.h"
 #include "tile_choices.h"
 #include "try.h"
@@ -17,9 +19,6 @@
 
 static const uint32_t box_granule = 16; /* the widest vector of tiles */
 
-/* Products of colour, intensity and lobe are cut here, so that sums of many stay finite. */
-static const double brightest = 1e30;
-
 static float finite_square(double x)
 {
     const double square = x * x;
@@ -31,25 +30,19 @@ static float finite_reciprocal(double x)
     return x > 1.0 / (double)FLT_MAX ? (float)(1.0 / x) : 0.0f;
 }
 
-static void colour(const tl_light *light, float lobe, float out[3])
-{
-    for (int i = 0; i < 3; i++) {
-        const double c = (double)light->color[i] * (double)light->intensity * (double)lobe;
-        out[i] = (float)(c < brightest ? c : brightest);
-    }
-}
-
-static tl_view_light common(const tl_light *light, tl_u32 falloff)
+static tl_view_light common(const tl_light_set *set, const tl_light *light, tl_u32 falloff)
 {
     tl_view_light v = {.falloff = falloff};
-    colour(light, light->diffuse, v.diffuse);
-    colour(light, light->specular, v.specular);
+    tl_lobe_color(set, light, light->diffuse, v.diffuse);
+    tl_lobe_color(set, light, light->specular, v.specular);
     return v;
 }
 
-static tl_view_light directional(const tl_camera *camera, const tl_light *light)
+static tl_view_light directional(const tl_camera *camera,
+                                 const tl_light_set *set,
+                                 const tl_light *light)
 {
-    tl_view_light v = common(light, TL_FADE_NONE);
+    tl_view_light v = common(set, light, TL_FADE_NONE);
     tl_against_rays(camera, light, v.position);
     return v;
 }
@@ -74,10 +67,27 @@ static void fade_from(const tl_light *light, tl_view_light *v)
     memcpy(&v->falloff, &offset, sizeof v->falloff);
 }
 
-static tl_view_light point(const tl_camera *camera, const tl_light *light, float cutoff)
+static const tl_u32 falloff_rows[TL_FALLOFF_COUNT] = {
+    [TL_FALLOFF_INVERSE_SQUARE] = TL_FADE_INVERSE_SQUARE,
+    [TL_FALLOFF_LINEAR] = TL_FADE_LINEAR,
+    [TL_FALLOFF_TABLE] = TL_FADE_TABLE,
+};
+
+/* What a light with this range fades by, but for a linear falloff that begins later. */
+static float fade_of(const tl_light_set *set, const tl_light *light)
 {
-    const int linear = light->falloff == TL_FALLOFF_LINEAR;
-    tl_view_light v = common(light, linear ? TL_FADE_LINEAR : TL_FADE_INVERSE_SQUARE);
+    const double range = (double)light->range;
+    if (light->falloff == TL_FALLOFF_TABLE)
+        return finite_reciprocal(range / (set->tables[light->table - 1].count - 1));
+    return finite_reciprocal(light->falloff == TL_FALLOFF_LINEAR ? range : range * range);
+}
+
+static tl_view_light point(const tl_camera *camera,
+                           const tl_light_set *set,
+                           const tl_light *light,
+                           float cutoff)
+{
+    tl_view_light v = common(set, light, falloff_rows[light->falloff]);
     double world[3], view[3];
     for (int i = 0; i < 3; i++)
         world[i] = (double)light->position[i];
@@ -85,10 +95,9 @@ static tl_view_light point(const tl_camera *camera, const tl_light *light, float
     for (int i = 0; i < 3; i++)
         v.position[i] = (float)view[i];
     if (!isinf(light->range)) {
-        const double range = (double)light->range;
-        v.range2 = finite_square(range);
-        v.fade = linear ? finite_reciprocal(range) : finite_reciprocal(range * range);
-        if (linear && light->begin > 0.0f)
+        v.range2 = finite_square((double)light->range);
+        v.fade = fade_of(set, light);
+        if (light->falloff == TL_FALLOFF_LINEAR && light->begin > 0.0f)
             fade_from(light, &v);
     } else if (cutoff > 0.0f) {
         v.range2 = finite_square(cutoff_range(light, cutoff));
@@ -118,40 +127,26 @@ static int has_two_colors(const tl_view_light *light)
     return memcmp(light->diffuse, light->specular, sizeof light->diffuse) != 0;
 }
 
-/* Kernels compute pi times what a surface reflects, so that white under 1 lx is 1. A model with units of
- * its own has lights scaled for all of a frame's surfaces, whatever model some of them have. */
-static void scale_colours(tl_view_light *light, enum tl_shading_model model)
-{
-    static const double per_pi = 0.31830988618379067154;
-    if (!(traits_of(model) & TL_LOBE_RADIOMETRIC))
-        return;
-    for (int i = 0; i < 3; i++) {
-        light->diffuse[i] = (float)((double)light->diffuse[i] * per_pi);
-        light->specular[i] = (float)((double)light->specular[i] * per_pi);
-    }
-}
-
 /* Light `source` of the set, unless it adds nothing. */
 static void add(const tl_camera *camera,
-                const tl_light *light,
+                const tl_light_set *set,
                 uint32_t source,
-                enum tl_shading_model model,
                 const tl_prepare_options *options,
                 tl_prepared *prepared)
 {
     tl_explanation *explanation = &prepared->explanation;
+    const tl_light *light = &set->lights[source];
     const int global = is_global(light, options->light_cutoff);
-    tl_view_light v = light->type == TL_LIGHT_DIRECTIONAL
-                          ? directional(camera, light)
-                          : point(camera, light, options->light_cutoff);
-    scale_colours(&v, model);
+    const tl_view_light v = light->type == TL_LIGHT_DIRECTIONAL
+                                ? directional(camera, set, light)
+                                : point(camera, set, light, options->light_cutoff);
     const tl_view_spot spot = tl_spot_cone(camera, light);
-    const int is_idle = tl_light_is_idle(explanation, &v, &spot, source, global);
+    const int is_idle = tl_light_is_idle(explanation, light, &v, &spot, source, global);
     if (is_idle && options->effects != TL_EFFECTS_ALL)
         return;
     const uint32_t before = explanation->causes;
     explanation->causes = 0;
-    tl_causes_of_light(explanation, &v, tl_spot_has_edge(light), source, global);
+    tl_causes_of_light(explanation, light, &v, source, global);
     prepared->two_colored_count += !is_idle && has_two_colors(&v);
     const uint32_t i = prepared->frame.light_count++;
     prepared->sources[i] = source;
@@ -170,7 +165,7 @@ static void collect(const tl_camera *camera,
 {
     for (size_t i = 0; i < lights->count; i++)
         if (is_global(&lights->lights[i], options->light_cutoff) == global)
-            add(camera, &lights->lights[i], (uint32_t)i, lights->model, options, prepared);
+            add(camera, lights, (uint32_t)i, options, prepared);
     if (global)
         prepared->frame.global_count = prepared->frame.light_count;
 }
@@ -286,6 +281,7 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
     tl_brdf_table table;
     TRY(tl_brdf_table_make(gbuffer, lights, &table, err));
     TRY(reserve_lights(prepared, lights->count, err));
+    TRY(tl_maps_begin(lights, prepared, err));
     prepared->frame = frame_of(gbuffer, lights, options);
     prepared->rows = NULL;
     prepared->explanation = tl_causes_of_frame(gbuffer, lights, &table, options->effects);
@@ -295,6 +291,8 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
     collect(&gbuffer->camera, lights, options, 1, prepared);
     collect(&gbuffer->camera, lights, options, 0, prepared);
     close_up(prepared);
+    TRY(tl_shapes_add(&gbuffer->camera, lights, prepared, err));
+    TRY(tl_sky_add(&gbuffer->camera, lights, prepared, err));
     prepared->needs = tl_needs_of_causes(&prepared->explanation, gbuffer, &table);
     if (has_one_color(prepared)) {
         prepared->explanation.causes |= TL_BY(TL_CAUSE_ONE_COLOR);
@@ -324,6 +322,7 @@ size_t tl_prepared_lights_size(const tl_prepared *prepared)
 
 void tl_prepared_clear(tl_prepared *prepared)
 {
+    free(prepared->images_at);
     free(prepared->sources);
     free(prepared->light_causes);
     free(prepared->lights);

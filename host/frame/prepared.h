@@ -22,6 +22,9 @@ typedef struct tl_prepared {
     size_t capacity;        /* lights that there is room for in both */
     size_t memory_size;     /* bytes at `lights` */
     size_t sections_size;   /* bytes of the sections behind the cones: sections.h */
+    tl_u32
+        *images_at; /* [images of the set], row of each that is in a section, else 0; owned */
+    size_t image_capacity;
     uint32_t two_colored_count; /* lights that add something, with lobes of different colours */
     const tl_brdf
         *rows; /* of frame.brdfs_at, by the index of a pixel; NULL where the frame has none */

@@ -1,6 +1,8 @@
 #include "scene_causes.h"
 
 #include "falloff.h"
+#include "shapes.h"
+#include "spot_cone.h"
 
 static int is_lit_by(const float color[3])
 {
@@ -54,10 +56,17 @@ static uint32_t causes_of_rows(const tl_brdf_table *table)
 }
 
 /* One-colour is no effect to assume: it is another order of rounding. */
-static const uint32_t assumable = TL_BY(TL_CAUSE_DIRECTIONAL) | TL_BY(TL_CAUSE_INVERSE_SQUARE) |
-                                  TL_BY(TL_CAUSE_LINEAR) | TL_BY(TL_CAUSE_LINEAR_FROM) |
-                                  TL_BY(TL_CAUSE_HIGHLIGHT) | TL_BY(TL_CAUSE_CONE) |
-                                  TL_BY(TL_CAUSE_AMBIENT);
+static const uint32_t assumable =
+    TL_BY(TL_CAUSE_TABLE) | TL_BY(TL_CAUSE_PROJECTED) | TL_BY(TL_CAUSE_AROUND) |
+    TL_BY(TL_CAUSE_AMBIENT_LOBE) | TL_BY(TL_CAUSE_DIRECTIONAL) |
+    TL_BY(TL_CAUSE_INVERSE_SQUARE) | TL_BY(TL_CAUSE_LINEAR) | TL_BY(TL_CAUSE_LINEAR_FROM) |
+    TL_BY(TL_CAUSE_HIGHLIGHT) | TL_BY(TL_CAUSE_CONE) | TL_BY(TL_CAUSE_AMBIENT);
+
+static const tl_cause sky_causes[TL_SKY_COUNT] = {
+    [TL_SKY_CONSTANT] = TL_CAUSE_SKY,
+    [TL_SKY_GRADIENT] = TL_CAUSE_SKY_GRADIENT,
+    [TL_SKY_IMAGE] = TL_CAUSE_SKY_IMAGE,
+};
 
 tl_explanation tl_causes_of_frame(const tl_gbuffer *gbuffer,
                                   const tl_light_set *lights,
@@ -71,8 +80,8 @@ tl_explanation tl_causes_of_frame(const tl_gbuffer *gbuffer,
     e.is_dark = gbuffer->is_dark && !table->selects;
     if (is_lit_by(lights->ambient) && !e.is_dark)
         e.causes |= TL_BY(TL_CAUSE_AMBIENT);
-    if (is_lit_by(lights->sky))
-        e.causes |= TL_BY(TL_CAUSE_SKY);
+    if (tl_light_set_has_sky(lights))
+        e.causes |= TL_BY(sky_causes[lights->sky_type]);
     if (lights->has_shininess)
         e.causes |= TL_BY(TL_CAUSE_EXPONENT);
     e.causes |= causes_of_rows(table);
@@ -89,6 +98,7 @@ static void note(tl_some_lights *some, uint32_t index)
 
 /* Adding 0 to a sum that is not negative leaves its bits, and no term of a sum is ever negative. */
 int tl_light_is_idle(tl_explanation *explanation,
+                     const tl_light *from,
                      const tl_view_light *light,
                      const tl_view_spot *spot,
                      uint32_t index,
@@ -97,7 +107,9 @@ int tl_light_is_idle(tl_explanation *explanation,
     const uint32_t highlights = TL_BY(TL_CAUSE_GLOSS) | TL_BY(TL_CAUSE_SHINY);
     const int has_gloss = (explanation->causes & highlights) == highlights;
     tl_idle_light why;
-    if (!is_lit_by(light->diffuse) && !is_lit_by(light->specular))
+    const int has_ambient =
+        from->ambient > 0.0f && from->intensity > 0.0f && is_lit_by(from->color);
+    if (!has_ambient && !is_lit_by(light->diffuse) && !is_lit_by(light->specular))
         why = TL_IDLE_BLACK;
     else if (!is_global && light->range2 == 0.0f)
         why = TL_IDLE_SHORT;
@@ -105,7 +117,7 @@ int tl_light_is_idle(tl_explanation *explanation,
         why = TL_IDLE_NARROW;
     else if (explanation->is_dark)
         why = TL_IDLE_DARK;
-    else if (!is_lit_by(light->diffuse) && !has_gloss)
+    else if (!has_ambient && !is_lit_by(light->diffuse) && !has_gloss)
         why = TL_IDLE_NO_GLOSS;
     else
         return 0;
@@ -115,16 +127,14 @@ int tl_light_is_idle(tl_explanation *explanation,
 
 /* By rows of falloff.h. */
 static const tl_cause falloff_causes[TL_FADE_COUNT] = {
-    [TL_FADE_LINEAR] = TL_CAUSE_LINEAR,
-    [TL_FADE_INVERSE_SQUARE] = TL_CAUSE_INVERSE_SQUARE,
-    [TL_FADE_NONE] = TL_CAUSE_DIRECTIONAL,
-    [TL_FADE_LINEAR_FROM] = TL_CAUSE_LINEAR_FROM,
+    [TL_FADE_LINEAR] = TL_CAUSE_LINEAR,    [TL_FADE_INVERSE_SQUARE] = TL_CAUSE_INVERSE_SQUARE,
+    [TL_FADE_NONE] = TL_CAUSE_DIRECTIONAL, [TL_FADE_LINEAR_FROM] = TL_CAUSE_LINEAR_FROM,
+    [TL_FADE_TABLE] = TL_CAUSE_TABLE,
 };
 static const tl_effect falloff_effects[TL_FADE_COUNT] = {
-    [TL_FADE_LINEAR] = TL_EFFECT_LINEAR,
-    [TL_FADE_INVERSE_SQUARE] = TL_EFFECT_INVERSE_SQUARE,
-    [TL_FADE_NONE] = TL_EFFECT_DIRECTIONAL,
-    [TL_FADE_LINEAR_FROM] = TL_EFFECT_LINEAR_FROM,
+    [TL_FADE_LINEAR] = TL_EFFECT_LINEAR,    [TL_FADE_INVERSE_SQUARE] = TL_EFFECT_INVERSE_SQUARE,
+    [TL_FADE_NONE] = TL_EFFECT_DIRECTIONAL, [TL_FADE_LINEAR_FROM] = TL_EFFECT_LINEAR_FROM,
+    [TL_FADE_TABLE] = TL_EFFECT_TABLE,
 };
 
 static void found(tl_explanation *explanation, tl_cause cause, uint32_t index)
@@ -134,8 +144,8 @@ static void found(tl_explanation *explanation, tl_cause cause, uint32_t index)
 }
 
 void tl_causes_of_light(tl_explanation *explanation,
+                        const tl_light *from,
                         const tl_view_light *light,
-                        int has_cone,
                         uint32_t index,
                         int is_global)
 {
@@ -143,8 +153,15 @@ void tl_causes_of_light(tl_explanation *explanation,
     found(explanation, falloff_causes[falloff_row(light->falloff)], index);
     if (is_lit_by(light->specular))
         found(explanation, TL_CAUSE_HIGHLIGHT, index);
-    if (has_cone)
+    if (tl_spot_has_edge(from))
         found(explanation, TL_CAUSE_CONE, index);
+    if (from->texture > 0)
+        found(explanation, from->type == TL_LIGHT_SPOT ? TL_CAUSE_PROJECTED : TL_CAUSE_AROUND,
+              index);
+    if (from->ambient > 0.0f) {
+        found(explanation, TL_CAUSE_AMBIENT_LOBE, index);
+        explanation->causes |= TL_BY(TL_CAUSE_AMBIENT); /* what it dims, occlusion dims too */
+    }
 }
 
 static int is_on(const tl_explanation *explanation, tl_effect effect)
@@ -190,6 +207,13 @@ tl_needs tl_needs_of_causes(tl_explanation *e,
                       .ambient = (tl_u32)is_on(e, TL_EFFECT_AMBIENT),
                       .fixed_exponent = (tl_u32)is_on(e, TL_EFFECT_EXPONENT),
                       .idle = e->idle};
+    needs.shapes = (is_on(e, TL_EFFECT_TABLE) ? TL_SHAPE_TABLE : 0) |
+                   (is_on(e, TL_EFFECT_PROJECTED) ? TL_SHAPE_PROJECTED : 0) |
+                   (is_on(e, TL_EFFECT_AROUND) ? TL_SHAPE_AROUND : 0) |
+                   (is_on(e, TL_EFFECT_AMBIENT_LOBE) ? TL_SHAPE_AMBIENT : 0);
+    needs.sky = is_on(e, TL_EFFECT_SKY_GRADIENT) ? TL_GRADIENT_SKY
+                : is_on(e, TL_EFFECT_SKY_IMAGE)  ? TL_IMAGE_SKY
+                                                 : 0;
     for (int row = 0; row < TL_FADE_COUNT; row++)
         if (is_on(e, falloff_effects[row]))
             needs.falloffs |= 1u << row;

@@ -16,18 +16,19 @@ tl_explanation tl_causes_of_frame(const tl_gbuffer *gbuffer,
                                   const tl_brdf_table *table,
                                   tl_effects_mode mode);
 
-/* Whether light `index` of the set, as kernels would take it, adds exactly nothing; notes why. is_global:
- * it reaches everything. */
+/* Whether light `index` of the set, `from`, as kernels would take it, adds exactly nothing; notes why.
+ * is_global: it reaches everything. */
 int tl_light_is_idle(tl_explanation *explanation,
+                     const tl_light *from,
                      const tl_view_light *light,
                      const tl_view_spot *spot,
                      uint32_t index,
                      int is_global);
 
-/* Notes what a light that is lit calls for. has_cone: it is a spot whose inner cone is not all of space. */
+/* Notes what a light that is lit calls for; light.falloff is a row, not yet a shape. */
 void tl_causes_of_light(tl_explanation *explanation,
+                        const tl_light *from,
                         const tl_view_light *light,
-                        int has_cone,
                         uint32_t index,
                         int is_global);
 

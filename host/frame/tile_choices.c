@@ -1,6 +1,7 @@
 #include "tile_choices.h"
 
 #include "choices.h"
+#include "falloff.h"
 #include "sections.h"
 
 #include <string.h>
@@ -21,7 +22,8 @@ static int has_lobe(const tl_view_light *light)
 tl_u32 tl_calls_of_light(const tl_view_light *light, const tl_view_spot *cone)
 {
     return (has_cone(cone) ? (tl_u32)TL_CHOICE_CONES : 0) |
-           (has_lobe(light) ? (tl_u32)TL_CHOICE_LOBES : 0);
+           (has_lobe(light) ? (tl_u32)TL_CHOICE_LOBES : 0) |
+           (has_shape(light->falloff) ? (tl_u32)TL_CHOICE_SHAPES : 0);
 }
 
 /* Of effects that are on; an effect that is off is nothing to choose. Lobes are a part by itself in the short
@@ -29,6 +31,7 @@ tl_u32 tl_calls_of_light(const tl_view_light *light, const tl_view_spot *cone)
 static tl_u32 choosable(const tl_needs *needs)
 {
     return (needs->spots ? (tl_u32)TL_CHOICE_CONES : 0) |
+           (needs->shapes ? (tl_u32)TL_CHOICE_SHAPES : 0) |
            (needs->specular && is_plain(*needs) ? (tl_u32)TL_CHOICE_LOBES : 0);
 }
 

@@ -21,7 +21,7 @@ static const double least_lift = 0.05, most_lift = 0.6;
 static const struct {
     double mean;
     int per_range2; /* the fade is in 1/m^2, so it shrinks with the square of the range */
-} fades[TL_FALLOFF_COUNT] = {
+} fades[] = {
     [TL_FALLOFF_INVERSE_SQUARE] = {1.150, 1},
     [TL_FALLOFF_LINEAR] = {0.122, 0},
 };
@@ -282,6 +282,8 @@ static tl_status check_options(const tl_scatter_options *options, tl_error *err)
                        "scattered lights of range %g and intensity %g: both must be finite, 0 "
                        "(chosen) or above",
                        (double)options->range, (double)options->intensity);
+    if (options->falloff >= TL_FALLOFF_TABLE)
+        return tl_fail(err, TL_ERR_ARGUMENT, "scattered lights have no falloff table");
     return TL_OK;
 }
 

@@ -140,7 +140,9 @@ tl_kernel_options tl_lighting_kernels(const tl_lighting *lighting, const tl_need
                                .idle = needs->idle,
                                .models = needs->models,
                                .fixed_exponent = needs->fixed_exponent,
-                               .choices = needs->choices};
+                               .choices = needs->choices,
+                               .shapes = needs->shapes,
+                               .sky = needs->sky};
 }
 
 static tl_status run_on_device(tl_lighting *lighting,

@@ -6,6 +6,7 @@
  * every float gets the 8-bit value that the formulas in double are rounded to, and no curve is
  * evaluated per pixel. */
 #include "parallel.h"
+#include "srgb.h"
 #include "tilelight/camera.h"
 #include "tilelight/image.h"
 
@@ -51,12 +52,6 @@ static double (*const tones[TL_TONE_COUNT])(double) = {
     [TL_TONE_NONE] = tone_none,
 };
 
-/* IEC 61966-2-1, from the encoded value to the linear one. */
-static double linear_from_srgb(double encoded)
-{
-    return encoded <= 0.04045 ? encoded / 12.92 : pow((encoded + 0.055) / 1.055, 2.4);
-}
-
 /* A display whose light is the 2.2th power of the signal. */
 static double linear_from_gamma_22(double encoded)
 {
@@ -65,7 +60,7 @@ static double linear_from_gamma_22(double encoded)
 
 /* Rising on [0, 1]. */
 static double (*const linear_from[TL_CURVE_COUNT])(double) = {
-    [TL_CURVE_SRGB] = linear_from_srgb,
+    [TL_CURVE_SRGB] = tl_linear_from_srgb,
     [TL_CURVE_GAMMA_22] = linear_from_gamma_22,
 };
 

@@ -23,7 +23,9 @@
  * faults are not. */
 #include "allowance.h"
 
+#include "allowance_map.h"
 #include "rough_lobes.h"
+#include "sections.h"
 
 static const double least_square = 1e-30,
                     most_square = 1e37; /* squares float keeps, with room */
@@ -260,7 +262,7 @@ static incidence incidence_of(const rough_surface *s, const way *w)
 
 /* Light received by each lobe, per channel, not yet multiplied with what the surface reflects. */
 typedef struct rough_light {
-    interval diffuse[3], specular[3], grazing[3];
+    interval diffuse[3], specular[3], grazing[3], ambient[3];
     int may_add, is_certain;
     double n_dot_l, distance;
 } rough_light;
@@ -274,38 +276,123 @@ static interval product(tl_u32 traits, interval a, interval b, double colour)
                       a.high * b.high * colour * (1.0 + roundings * U) + flushed * colour};
 }
 
+/* What a light has beside the rest, whose falloff becomes *light's; NULL where it has nothing. */
+static const tl_view_shape *shape_at(const tl_prepared *prepared, tl_view_light *light)
+{
+    if (!has_shape(light->falloff))
+        return NULL;
+    const tl_view_shape *shapes = tl_section_at(prepared, prepared->frame.shapes_at);
+    const tl_view_shape *shape = &shapes[light->falloff - TL_FADE_COUNT];
+    light->falloff = shape->falloff;
+    return shape;
+}
+
+/* What it shines through in the direction from the light, 1 without a picture. */
+static void tint_on(const tl_prepared *prepared,
+                    const tl_view_shape *shape,
+                    const way *w,
+                    interval tint[3])
+{
+    const vec3 from = {-w->l.x, -w->l.y, -w->l.z};
+    for (int i = 0; i < 3; i++)
+        tint[i] = (interval){1.0, 1.0};
+    if (shape && shape->map.pixels_at != 0)
+        tl_map_allowance(prepared, &shape->map, (int)shape->is_spot, from, w->l_moved, tint);
+}
+
+/* One more product. */
+static interval tinted(interval light, interval tint)
+{
+    return (interval){light.low * tint.low * (1.0 - U),
+                      light.high * tint.high * (1.0 + U) + flushed};
+}
+
+static interval weight_on(const tl_prepared *prepared,
+                          const tl_view_shape *shape,
+                          tl_view_light light,
+                          const way *w,
+                          const aperture *cone)
+{
+    const interval falloff =
+        light.falloff == TL_FADE_TABLE
+            ? tl_table_allowance(prepared, shape, (double)light.fade, w->distance)
+            : weight_of(light, w);
+    return (interval){falloff.low * cone->share.low * (1.0 - U),
+                      falloff.high * cone->share.high * (1.0 + U)};
+}
+
+/* The lobe that asks for no normal: weight, colour and tint. */
+static void add_ambient(const tl_view_shape *shape,
+                        interval weight,
+                        const interval tint[3],
+                        int is_certain,
+                        rough_light *out)
+{
+    for (int i = 0; i < 3; i++) {
+        const double colour = (double)shape->ambient[i];
+        const interval light = {weight.low * colour * (1.0 - 2.0 * U),
+                                weight.high * colour * (1.0 + 2.0 * U)};
+        out->ambient[i] = tinted(light, tint[i]);
+        if (!(colour > 0.0))
+            out->ambient[i] = (interval){0.0, 0.0};
+        out->may_add |= out->ambient[i].high > 0.0;
+        if (!is_certain)
+            out->ambient[i].low = 0.0;
+    }
+}
+
+/* All lobes of a light that may be above the surface. */
+static void add_lobes(const tl_prepared *prepared,
+                      const rough_surface *s,
+                      tl_view_light light,
+                      const way *w,
+                      interval weight,
+                      const interval tint[3],
+                      tl_cosine form,
+                      const incidence *n_dot_l,
+                      rough_light *out)
+{
+    const rough_reflection r =
+        tl_rough_reflection(s, w, n_dot_l->cosine, (int)prepared->needs.specular, form);
+    out->may_add = 1;
+    out->is_certain &= n_dot_l->is_above;
+    for (int i = 0; i < 3; i++) {
+        const double diffuse = (double)light.diffuse[i], specular = (double)light.specular[i];
+        out->diffuse[i] = tinted(product(s->traits, weight, r.diffuse, diffuse), tint[i]);
+        out->specular[i] = tinted(product(s->traits, weight, r.specular, specular), tint[i]);
+        out->grazing[i] = tinted(product(s->traits, weight, r.grazing, specular), tint[i]);
+        if (!out->is_certain)
+            out->diffuse[i].low = out->specular[i].low = out->grazing[i].low = 0.0;
+    }
+}
+
 static rough_light light_on(const tl_prepared *prepared,
                             const rough_surface *s,
                             uint32_t index,
                             tl_cosine form)
 {
-    const tl_view_light light = prepared->lights[index];
+    tl_view_light light = prepared->lights[index];
+    const tl_view_shape *shape = shape_at(prepared, &light);
     const way w = light.falloff == TL_FADE_NONE
                       ? way_to_sun(light)
                       : way_to(s, light, index < prepared->frame.global_count);
     rough_light out = {.distance = w.exact};
-    if (!s->is_lit || !w.may_reach)
+    if (!w.may_reach)
         return out;
     const incidence n_dot_l = incidence_of(s, &w);
     const aperture cone = aperture_of(prepared->spots[index], &w);
-    if (!n_dot_l.may_be_above || !cone.may_pass)
+    const int may_be_above = s->is_lit && n_dot_l.may_be_above;
+    if (!cone.may_pass || (!may_be_above && !shape))
         return out;
-    const interval falloff = weight_of(light, &w);
-    const interval weight = {falloff.low * cone.share.low * (1.0 - U),
-                             falloff.high * cone.share.high * (1.0 + U)};
-    const rough_reflection r =
-        tl_rough_reflection(s, &w, n_dot_l.cosine, (int)prepared->needs.specular, form);
-    out.may_add = 1;
-    out.is_certain = w.does_reach && cone.does_pass && n_dot_l.is_above;
+    interval tint[3];
+    const interval weight = weight_on(prepared, shape, light, &w, &cone);
+    tint_on(prepared, shape, &w, tint);
     out.n_dot_l = n_dot_l.exact;
-    for (int i = 0; i < 3; i++) {
-        const double diffuse = (double)light.diffuse[i], specular = (double)light.specular[i];
-        out.diffuse[i] = product(s->traits, weight, r.diffuse, diffuse);
-        out.specular[i] = product(s->traits, weight, r.specular, specular);
-        out.grazing[i] = product(s->traits, weight, r.grazing, specular);
-        if (!out.is_certain)
-            out.diffuse[i].low = out.specular[i].low = out.grazing[i].low = 0.0;
-    }
+    out.is_certain = w.does_reach && cone.does_pass;
+    if (shape)
+        add_ambient(shape, weight, tint, out.is_certain, &out);
+    if (may_be_above)
+        add_lobes(prepared, s, light, &w, weight, tint, form, &n_dot_l, &out);
     return out;
 }
 
@@ -369,22 +456,47 @@ static interval summed(interval sum, uint32_t terms)
     return (interval){clamp_low(sum.low - error), sum.high + error};
 }
 
-static tl_allowance sky_of(const tl_frame *frame)
+/* One colour, or by the ray, which moves as the pixel's position in it does. */
+static tl_allowance sky_of(const tl_prepared *prepared, uint32_t column, uint32_t row)
 {
+    const tl_frame *frame = &prepared->frame;
+    const tl_rays rays = frame->rays;
     tl_allowance out = {.certain = 1};
+    interval of[3];
     for (int i = 0; i < 3; i++)
         out.expected[i] = out.low[i] = out.high[i] = (double)frame->sky[i];
+    if (prepared->needs.sky == 0)
+        return out;
+    const vec3 expected =
+        sky_radiance(frame, prepared->needs, prepared->lights, (real)column, (real)row);
+    const vec3 ray = ray_direction(rays, prepared->needs, (real)column, (real)row);
+    const int parallel = (int)prepared->needs.orthographic;
+    const double moved = parallel ? 0.0
+                                  : hypot(moved_along(ray.x, column * (double)rays.dx, 1.0, 1),
+                                          moved_along(ray.y, row * (double)rays.dy, 1.0, 1));
+    tl_sky_allowance(prepared, ray, moved, of);
+    const double exact[3] = {expected.x, expected.y, expected.z};
+    for (int i = 0; i < 3; i++) {
+        out.expected[i] = exact[i];
+        out.low[i] = of[i].low;
+        out.high[i] = of[i].high;
+    }
     return out;
 }
 
-static interval reflected(const rough_material *m, const rough_light *light, int i)
+/* A light's ambient lobe multiplies albedo and occlusion; what it is added to before that rounds once. */
+static interval reflected(pixel in, const rough_material *m, const rough_light *light, int i)
 {
+    const double albedo[3] = {in.albedo.x, in.albedo.y, in.albedo.z};
+    const double share = albedo[i] * in.occlusion;
     return (interval){m->diffuse[i].low * light->diffuse[i].low +
                           m->specular[i].low * light->specular[i].low +
-                          m->grazing[i].low * light->grazing[i].low,
+                          m->grazing[i].low * light->grazing[i].low +
+                          share * light->ambient[i].low * (1.0 - 3.0 * U),
                       m->diffuse[i].high * light->diffuse[i].high +
                           m->specular[i].high * light->specular[i].high +
-                          m->grazing[i].high * light->grazing[i].high};
+                          m->grazing[i].high * light->grazing[i].high +
+                          share * light->ambient[i].high * (1.0 + 3.0 * U)};
 }
 
 /* Light that needs no light: albedo ambient occlusion, two roundings, and emission. */
@@ -419,7 +531,7 @@ tl_allowance tl_allowance_of(const tl_prepared *prepared,
     const tl_frame *frame = &prepared->frame;
     const pixel in = pixel_at(planes, (size_t)row * frame->pitch + column);
     if (!(in.depth < INFINITY))
-        return sky_of(frame);
+        return sky_of(prepared, column, row);
     const vec3 expected = light_pixel(prepared, in, column, row);
     const tl_prepared own = prepared_at(prepared, in);
     const rough_material material = rough_material_of(&own, in);
@@ -434,7 +546,7 @@ tl_allowance tl_allowance_of(const tl_prepared *prepared,
         terms++;
         certain &= light.is_certain;
         for (int i = 0; i < 3; i++) {
-            const interval added = reflected(&material, &light, i);
+            const interval added = reflected(in, &material, &light, i);
             sum[i].low += added.low;
             sum[i].high += added.high;
         }
@@ -469,7 +581,7 @@ int tl_allowance_share(const tl_prepared *prepared,
     *out = (tl_light_share){
         .distance = light.distance, .n_dot_l = light.n_dot_l, .certain = light.is_certain};
     for (int i = 0; i < 3; i++) {
-        const interval added = reflected(&material, &light, i);
+        const interval added = reflected(in, &material, &light, i);
         out->low[i] = added.low;
         out->high[i] = added.high;
     }

@@ -5,6 +5,8 @@
 
 #include "float_pixel.h"
 #include "prepared.h"
+#include "shape.h"
+#include "sky.h"
 
 /* What leaves the surface of a pixel towards the eye, lit by every light of the frame. */
 TL_INLINE vec3 light_surface(const tl_prepared *prepared, pixel in, surface s)
@@ -15,10 +17,9 @@ TL_INLINE vec3 light_surface(const tl_prepared *prepared, pixel in, surface s)
     const finish f = finish_of(needs, s, m);
     received sum = nothing_received();
     if (in.depth < (real)INFINITY) {
-        for (uint32_t i = 0; i < frame->global_count; i++)
-            sum = add_global_light(sum, needs, s, f, prepared->lights[i], prepared->spots[i]);
-        for (uint32_t i = frame->global_count; i < frame->light_count; i++)
-            sum = add_ranged_light(sum, needs, s, f, prepared->lights[i], prepared->spots[i]);
+        for (uint32_t i = 0; i < frame->light_count; i++)
+            sum = add_any_light(sum, frame, needs, prepared->lights, s, f, prepared->lights[i],
+                                prepared->spots[i], i < frame->global_count);
     }
     return radiance_of(frame, needs, in, m, sum);
 }

@@ -20,7 +20,9 @@ void TL_TWIN(const tl_prepared *prepared,
                 unpacked_surface(&prepared->frame, prepared->needs, planes->layout, &words,
                                  prepared->rows, (real)column, (real)row);
             const pixel in = pixel_of(prepared->needs, planes->layout, &words, -s.position.z);
-            const vec3 out = light_surface(prepared, in, s);
+            const vec3 out =
+                seen_radiance(&prepared->frame, prepared->needs, prepared->lights, in.depth,
+                              light_surface(prepared, in, s), (real)column, (real)row);
             radiance[0][at] = (float)out.x;
             radiance[1][at] = (float)out.y;
             radiance[2][at] = (float)out.z;

@@ -1,5 +1,6 @@
 #include "tilelight/lights.h"
 
+#include "light_resources.h"
 #include "material_rows.h"
 
 #include <math.h>
@@ -45,6 +46,7 @@ tl_status tl_light_set_add(tl_light_set *set, const tl_light *light, tl_error *e
 
 void tl_light_set_clear(tl_light_set *set)
 {
+    tl_light_resources_clear(set);
     free(set->lights);
     free(set->materials);
     *set = (tl_light_set){0};
@@ -93,6 +95,7 @@ static tl_status check_numbers(const tl_light *light,
         {"intensity", light->intensity, 0.0f, brightest},
         {"diffuse", light->diffuse, 0.0f, brightest},
         {"specular", light->specular, 0.0f, brightest},
+        {"ambient", light->ambient, 0.0f, brightest},
         {"innerConeAngle", light->inner_cone, 0.0f, light->outer_cone},
         {"outerConeAngle", light->outer_cone, 0.0f, pi},
     };
@@ -126,10 +129,11 @@ static tl_status check_range(const tl_light *light,
             "%s: lights[%zu] \"%s\": begin is for a linear falloff; remove it, or say "
             "\"falloff\": \"linear\"",
             source, index, light->name);
-    if (light->falloff == TL_FALLOFF_LINEAR && isinf(light->range))
-        return tl_fail(err, TL_ERR_FORMAT,
-                       "%s: lights[%zu] \"%s\": a linear falloff needs a range", source, index,
-                       light->name);
+    if (light->falloff != TL_FALLOFF_INVERSE_SQUARE && isinf(light->range))
+        return tl_fail(err, TL_ERR_FORMAT, "%s: lights[%zu] \"%s\": a %s needs a range", source,
+                       index, light->name,
+                       light->falloff == TL_FALLOFF_LINEAR ? "linear falloff"
+                                                           : "falloff table");
     return TL_OK;
 }
 
@@ -151,12 +155,16 @@ static tl_status check_direction(const tl_light *light,
 
 tl_status tl_light_set_check(const tl_light_set *set, const char *source, tl_error *err)
 {
-    for (int i = 0; i < 3; i++)
-        if (!(set->ambient[i] >= 0.0f && set->ambient[i] <= brightest && set->sky[i] >= 0.0f &&
-              set->sky[i] <= brightest))
-            return tl_fail(err, TL_ERR_FORMAT,
-                           "%s: ambient and sky colours must be finite and not negative",
-                           source);
+    const float *const colors[] = {set->ambient, set->sky, set->zenith, set->ground};
+    for (size_t c = 0; c < sizeof colors / sizeof colors[0]; c++)
+        for (int i = 0; i < 3; i++)
+            if (!(colors[c][i] >= 0.0f && colors[c][i] <= brightest))
+                return tl_fail(err, TL_ERR_FORMAT,
+                               "%s: ambient and sky colours must be finite and not negative",
+                               source);
+    const tl_status sky = tl_light_sky_check(set, source, err);
+    if (sky != TL_OK)
+        return sky;
     if (set->has_shininess && !(set->shininess >= 0.0f && set->shininess <= 10000.0f))
         return tl_fail(err, TL_ERR_FORMAT, "%s: shininess %g must be from 0 to 10000", source,
                        (double)set->shininess);
@@ -172,6 +180,8 @@ tl_status tl_light_set_check(const tl_light_set *set, const char *source, tl_err
             status = check_range(&set->lights[i], i, source, err);
         if (status == TL_OK)
             status = check_direction(&set->lights[i], i, source, err);
+        if (status == TL_OK)
+            status = tl_light_resources_check(set, i, source, err);
         if (status != TL_OK)
             return status;
     }

@@ -1,6 +1,7 @@
 /* Colours of other primaries, or encoded for screens, as linear Rec. 709. */
 #include "meaning.h"
 #include "parallel.h"
+#include "srgb.h"
 
 #include <math.h>
 #include <string.h>
@@ -115,12 +116,6 @@ typedef struct color_work {
     bool is_srgb; /* decoded, in place of the matrix */
 } color_work;
 
-/* IEC 61966-2-1. */
-static double linear_of_srgb(double v)
-{
-    return v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4);
-}
-
 static void color_rows(void *context, size_t begin, size_t end)
 {
     const color_work *w = context;
@@ -132,7 +127,7 @@ static void color_rows(void *context, size_t begin, size_t end)
                 v[c] = (double)w->planes[c][at];
             if (w->is_srgb)
                 for (int c = 0; c < 3; c++)
-                    v[c] = linear_of_srgb(v[c]);
+                    v[c] = tl_linear_from_srgb(v[c]);
             else
                 apply(w->matrix, v, v);
             for (int c = 0; c < 3; c++)

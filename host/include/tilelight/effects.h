@@ -32,6 +32,10 @@ typedef enum tl_cause_kind {
     X(TL_CAUSE_LINEAR, TL_CAUSE_OF_LIGHTS, "light with a linear falloff")                  \
     X(TL_CAUSE_LINEAR_FROM, TL_CAUSE_OF_LIGHTS,                                            \
       "light with a linear falloff that begins at a distance")                             \
+    X(TL_CAUSE_TABLE, TL_CAUSE_OF_LIGHTS, "light with a falloff table")                    \
+    X(TL_CAUSE_PROJECTED, TL_CAUSE_OF_LIGHTS, "spot light with a texture")                 \
+    X(TL_CAUSE_AROUND, TL_CAUSE_OF_LIGHTS, "point light with a texture")                   \
+    X(TL_CAUSE_AMBIENT_LOBE, TL_CAUSE_OF_LIGHTS, "light with an ambient lobe")             \
     X(TL_CAUSE_HIGHLIGHT, TL_CAUSE_OF_LIGHTS, "light with a specular lobe")                \
     X(TL_CAUSE_CONE, TL_CAUSE_OF_LIGHTS, "spot light")                                     \
     X(TL_CAUSE_GLOSS, TL_CAUSE_OF_PLANES, "specular or metal-rough material")              \
@@ -40,6 +44,8 @@ typedef enum tl_cause_kind {
     X(TL_CAUSE_EMISSION, TL_CAUSE_OF_PLANES, "emission")                                   \
     X(TL_CAUSE_AMBIENT, TL_CAUSE_OF_FRAME, "ambient light")                                \
     X(TL_CAUSE_SKY, TL_CAUSE_OF_FRAME, "colour of the sky")                                \
+    X(TL_CAUSE_SKY_GRADIENT, TL_CAUSE_OF_FRAME, "gradient of the sky")                     \
+    X(TL_CAUSE_SKY_IMAGE, TL_CAUSE_OF_FRAME, "image of the sky")                           \
     X(TL_CAUSE_MODEL, TL_CAUSE_OF_FRAME, "shading model other than phong")                 \
     X(TL_CAUSE_ROWS, TL_CAUSE_OF_FRAME, "row of materials for an index of the capture")    \
     X(TL_CAUSE_SHINY, TL_CAUSE_OF_FRAME, "shading model with highlights")                  \
@@ -76,6 +82,15 @@ typedef enum tl_cause {
       TL_BY(TL_CAUSE_LINEAR), 0, "TL_FALLOFFS_USED")                                           \
     X(TL_EFFECT_LINEAR_FROM, "linear-from", "falloff from a distance on to the range",         \
       TL_BY(TL_CAUSE_LINEAR_FROM), 0, "TL_FALLOFFS_USED")                                      \
+    X(TL_EFFECT_TABLE, "falloff-table", "falloff by a table of the light's own",               \
+      TL_BY(TL_CAUSE_TABLE), 0, "TL_SHAPES")                                                   \
+    X(TL_EFFECT_PROJECTED, "spot-textures", "pictures that spots project",                     \
+      TL_BY(TL_CAUSE_PROJECTED), 0, "TL_SHAPES")                                               \
+    X(TL_EFFECT_AROUND, "point-textures", "pictures all around lamps", TL_BY(TL_CAUSE_AROUND), \
+      0, "TL_SHAPES")                                                                          \
+    X(TL_EFFECT_AMBIENT_LOBE, "light-ambient",                                                 \
+      "a share of lights on the albedo, whatever the normal", TL_BY(TL_CAUSE_AMBIENT_LOBE), 0, \
+      "TL_SHAPES")                                                                             \
     X(TL_EFFECT_SPOTS, "spots", "cones of light", TL_BY(TL_CAUSE_CONE), 0, "TL_SPOTS")         \
     X(TL_EFFECT_SPECULAR, "specular", "highlights",                                            \
       TL_BY(TL_CAUSE_HIGHLIGHT) | TL_BY(TL_CAUSE_GLOSS) | TL_BY(TL_CAUSE_SHINY),               \
@@ -105,6 +120,10 @@ typedef enum tl_cause {
       TL_BY(TL_CAUSE_EMISSION), TL_GROUP_EMISSIVE, "TL_IDLE")                                  \
     X(TL_EFFECT_SKY, "sky", "a colour where nothing was hit", TL_BY(TL_CAUSE_SKY), 0,          \
       "frame.sky")                                                                             \
+    X(TL_EFFECT_SKY_GRADIENT, "sky-gradient", "colours by the elevation of a pixel's ray",     \
+      TL_BY(TL_CAUSE_SKY_GRADIENT), 0, "TL_SKY")                                               \
+    X(TL_EFFECT_SKY_IMAGE, "sky-image", "a map of the whole sky", TL_BY(TL_CAUSE_SKY_IMAGE),   \
+      0, "TL_SKY")                                                                             \
     X(TL_EFFECT_PARALLEL, "orthographic", "parallel rays", TL_BY(TL_CAUSE_PARALLEL), 0,        \
       "TL_ORTHOGRAPHIC")
 
@@ -143,7 +162,8 @@ const char *tl_effect_bound(tl_effect effect);
 #define TL_EFFECTS_MODES(X)                                                               \
     X(TL_EFFECTS_AUTO, "auto", "what the frame calls for")                                \
     X(TL_EFFECTS_ALL, "all",                                                              \
-      "also what adds nothing: every falloff, cones, ambient light, highlights, "         \
+      "also what adds nothing: every falloff, cones, textures and ambient lobes of "      \
+      "lights, ambient light, highlights, "                                               \
       "occlusion and emission as far as the frame has planes for them, lights that give " \
       "nothing")
 

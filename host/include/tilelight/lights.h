@@ -30,7 +30,8 @@ typedef enum tl_light_type {
 /* X(name, word in files) kernels/falloff.h has the formulas. */
 #define TL_FALLOFFS(X)                             \
     X(TL_FALLOFF_INVERSE_SQUARE, "inverse-square") \
-    X(TL_FALLOFF_LINEAR, "linear")
+    X(TL_FALLOFF_LINEAR, "linear")                 \
+    X(TL_FALLOFF_TABLE, "lut")
 
 typedef enum tl_falloff {
 #define TL_FALLOFF_NAME(name, word) name,
@@ -38,6 +39,27 @@ typedef enum tl_falloff {
 #undef TL_FALLOFF_NAME
         TL_FALLOFF_COUNT
 } tl_falloff;
+
+/* Samples of a falloff, evenly spaced: the first at distance 0, the last at the range. */
+typedef struct tl_light_table {
+    uint32_t count; /* TL_LEAST_SAMPLES to TL_MOST_SAMPLES */
+    float *values;  /* [count], 0 to TL_MOST_WEIGHT; owned by the set */
+} tl_light_table;
+
+#define TL_LEAST_SAMPLES 2
+#define TL_MOST_SAMPLES 4096
+#define TL_MOST_WEIGHT 1e4f /* what an inverse square falloff has at most */
+
+/* A picture that lights shine through, or the sky: read once, however many name it. */
+typedef struct tl_light_image {
+    char *path;             /* as files name it; owned by the set */
+    uint32_t width, height; /* px */
+    float
+        *pixels; /* [height][width][3], linear Rec. 709, from the top left; owned by the set */
+} tl_light_image;
+
+#define TL_MOST_IMAGE_EXTENT 8192u      /* px, each way */
+#define TL_MOST_IMAGE_PIXELS (1u << 25) /* 8192 x 4096: half a GiB as kernels have it */
 
 typedef struct tl_light {
     tl_light_type type;
@@ -49,8 +71,15 @@ typedef struct tl_light {
     float range;        /* m, > 0; INFINITY reaches everything. Linear needs a finite one */
     float begin;        /* m, 0 to range: linear falls from here on; 0 for the others */
     float diffuse, specular;      /* scales of the two lobes, >= 0 */
+    float ambient;                /* scale of what arrives without regard to the normal, >= 0 */
     float inner_cone, outer_cone; /* half-angles in radians, 0 <= inner <= outer <= pi; spot */
-    char name[64];                /* for messages; may be empty */
+    uint32_t table; /* 1 + index of the set's tables, of TL_FALLOFF_TABLE; else 0 */
+    uint32_t
+        texture; /* 1 + index of the set's images that colours are multiplied with; point, and
+                         spot with an outer cone below pi/2; 0: none */
+    float up[3]; /* unit, world space: which way the top of the texture is; 0 0 0: the default,
+                         docs/conventions.md */
+    char name[64]; /* for messages; may be empty */
 } tl_light;
 
 /* How surfaces reflect that an index of the plane brdf, or a material of the capture, leads here. */
@@ -67,10 +96,30 @@ typedef struct tl_material_row {
     float k;                 /* Minnaert's exponent, 0 to 100 */
 } tl_material_row;
 
-/* lights and materials are owned by the set; release with tl_light_set_clear. All zero is a valid empty set. */
+/* X(name, word in files) What is seen where nothing was hit. */
+#define TL_SKIES(X)                \
+    X(TL_SKY_CONSTANT, "constant") \
+    X(TL_SKY_GRADIENT, "gradient") \
+    X(TL_SKY_IMAGE, "image")
+
+typedef enum tl_sky {
+#define TL_SKY_NAME(name, word) name,
+    TL_SKIES(TL_SKY_NAME)
+#undef TL_SKY_NAME
+        TL_SKY_COUNT
+} tl_sky;
+
+/* lights, materials, tables and images are owned by the set; release with tl_light_set_clear. All zero is a valid
+ * empty set. */
 typedef struct tl_light_set {
-    float ambient[3];            /* linear Rec. 709; multiplies albedo and occlusion */
-    float sky[3];                /* radiance of pixels where nothing was hit */
+    float ambient[3]; /* linear Rec. 709; multiplies albedo and occlusion */
+    tl_sky sky_type;
+    float sky[3]; /* radiance: of a constant sky; of a gradient at the horizon; else 0 */
+    float zenith[3], ground[3]; /* of a gradient: straight up and straight down */
+    uint32_t
+        sky_image; /* 1 + index of images, of TL_SKY_IMAGE; a map of latitude and longitude */
+    float sky_intensity;         /* that the image is multiplied with, >= 0 */
+    float sky_rotation;          /* rad, of the image, anticlockwise as seen from above */
     enum tl_shading_model model; /* how surfaces reflect */
     int has_shininess;           /* 1: all surfaces have this exponent in place of their own */
     float shininess;             /* 0 to 10000 */
@@ -78,6 +127,10 @@ typedef struct tl_light_set {
     tl_light *lights; /* [count] */
     size_t material_count;
     tl_material_row *materials; /* [material_count] */
+    size_t table_count, image_count;
+    tl_light_table *tables; /* [table_count] */
+    tl_light_image *images; /* [image_count] */
+    char *folder; /* that paths of images are relative to, owned; NULL: the working directory */
 } tl_light_set;
 
 /* A white point light at the origin: inverse square, 1 cd, no range, both lobes 1; a spot's cone
@@ -94,6 +147,22 @@ tl_material_row tl_material_row_default(void);
 tl_status tl_light_set_add_material(tl_light_set *set,
                                     const tl_material_row *row,
                                     tl_error *err);
+/* Appends a copy of a table; *out becomes what tl_light.table is to be. Fails with TL_ERR_MEMORY. */
+tl_status tl_light_set_add_table(
+    tl_light_set *set, const float *values, uint32_t count, uint32_t *out, tl_error *err);
+
+/* Appends an image with a copy of `path`; *out becomes what texture or sky_image is to be. Takes the
+ * pixels, from malloc, also where it fails, with TL_ERR_MEMORY. */
+tl_status tl_light_set_add_image(tl_light_set *set,
+                                 const char *path,
+                                 uint32_t width,
+                                 uint32_t height,
+                                 float *pixels,
+                                 uint32_t *out,
+                                 tl_error *err);
+
+/* Whether it shows something where nothing was hit. */
+int tl_light_set_has_sky(const tl_light_set *set);
 
 /* Leaves an empty set. Accepts an empty one. */
 void tl_light_set_clear(tl_light_set *set);
@@ -109,15 +178,25 @@ tl_status tl_light_set_add_rig(tl_light_set *set, const tl_camera *camera, tl_er
 /* Lights files: JSON, described in docs/file-formats.md. `path` may be "-" for standard input. An
  * unknown field, a value of the wrong type, NaN or infinity fails with TL_ERR_FORMAT, a feature
  * that this version lacks with TL_ERR_UNSUPPORTED, each naming the light and the field; else
- * TL_ERR_READ or TL_ERR_MEMORY. *set is replaced on success and left alone on failure. */
+ * TL_ERR_READ or TL_ERR_MEMORY. Pictures that lights and sky name are read with it, relative to the
+ * folder of the file: of `path`, or of `file`, NULL for the working directory. *set is replaced on success
+ * and left alone on failure. */
 tl_status tl_lights_read(const char *path, tl_light_set *set, tl_error *err);
-tl_status tl_lights_parse(
-    const char *text, size_t size, const char *source, tl_light_set *set, tl_error *err);
+tl_status tl_lights_parse(const char *text,
+                          size_t size,
+                          const char *source,
+                          const char *file,
+                          tl_light_set *set,
+                          tl_error *err);
 
-/* The same set as text that tl_lights_parse reads back bit for bit. The caller frees *out.
- * Fails with TL_ERR_MEMORY, or with TL_ERR_WRITE where the text is larger than the 64 MiB that
- * reading takes. */
-tl_status tl_lights_format(const tl_light_set *set, char **out, tl_error *err);
+/* The same set as text that tl_lights_parse reads back bit for bit. Images are named as they are in the
+ * set, or by absolute paths where `file` (NULL: the working directory), which the text is for, lies in
+ * another folder than theirs are relative to. The caller frees *out. Fails with TL_ERR_MEMORY, or with
+ * TL_ERR_WRITE where the text is larger than the 64 MiB that reading takes. */
+tl_status tl_lights_format(const tl_light_set *set,
+                           const char *file,
+                           char **out,
+                           tl_error *err);
 
 /* Writes tl_lights_format's text atomically; "-" is standard output. Fails with TL_ERR_WRITE. */
 tl_status tl_lights_write(const char *path, const tl_light_set *set, tl_error *err);

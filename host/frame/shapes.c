@@ -1,0 +1,230 @@
+#include "shapes.h"
+
+#include "falloff.h"
+#include "map.h"
+#include "sections.h"
+#include "try.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Products of colour, intensity and lobe are cut here, so that sums of many stay finite. */
+static const double brightest = 1e30;
+
+void tl_lobe_color(const tl_light_set *set, const tl_light *light, float lobe, float out[3])
+{
+    static const double per_pi = 0.31830988618379067154;
+    const double scale = traits_of(set->model) & TL_LOBE_RADIOMETRIC ? per_pi : 1.0;
+    for (int i = 0; i < 3; i++) {
+        const double c = (double)light->color[i] * (double)light->intensity * (double)lobe;
+        out[i] = (float)((c < brightest ? c : brightest) * scale);
+    }
+}
+
+int tl_light_has_shape(const tl_light *light)
+{
+    return light->table > 0 || light->texture > 0 || light->ambient > 0.0f;
+}
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* The part of v across the unit vector n, as a unit vector. Returns how long it was. */
+static double across(const double n[3], const double v[3], double out[3])
+{
+    const double along = dot(n, v);
+    double length2 = 0.0;
+    for (int i = 0; i < 3; i++) {
+        out[i] = v[i] - along * n[i];
+        length2 += out[i] * out[i];
+    }
+    const double length = sqrt(length2);
+    for (int i = 0; i < 3; i++)
+        out[i] = length > 0.0 ? out[i] / length : 0.0;
+    return length;
+}
+
+static void cross(const double a[3], const double b[3], double out[3])
+{
+    for (int i = 0; i < 3; i++)
+        out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
+
+/* Right, up and ahead of a picture, in world space: docs/conventions.md. */
+typedef struct stand {
+    double right[3], up[3], ahead[3];
+} stand;
+
+/* `first` across n, or where it is along n, `second`. */
+static void across_either(const double n[3],
+                          const double first[3],
+                          const double second[3],
+                          double out[3])
+{
+    static const double least_sine = 1e-4;
+    if (across(n, first, out) < least_sine)
+        across(n, second, out);
+}
+
+static const double world_up[3] = {0.0, 1.0, 0.0}, forward[3] = {0.0, 0.0, -1.0};
+
+static void unit(const float from[3], double out[3])
+{
+    const double v[3] = {(double)from[0], (double)from[1], (double)from[2]};
+    const double length = sqrt(dot(v, v));
+    for (int i = 0; i < 3; i++)
+        out[i] = v[i] / length;
+}
+
+/* A spot's picture is ahead along its axis; without `up` its top is above, or where the axis is vertical,
+ * towards -z. */
+static stand stand_of_spot(const tl_light *light)
+{
+    stand s;
+    double up[3] = {(double)light->up[0], (double)light->up[1], (double)light->up[2]};
+    unit(light->direction, s.ahead);
+    if (dot(up, up) > 0.0)
+        across(s.ahead, up, s.up);
+    else
+        across_either(s.ahead, world_up, forward, s.up);
+    cross(s.ahead, s.up, s.right);
+    return s;
+}
+
+/* The poles of a lamp's picture are up and down; its middle is towards -z, or where that is a pole,
+ * towards +y. */
+static stand stand_of_point(const tl_light *light)
+{
+    stand s;
+    double up[3] = {(double)light->up[0], (double)light->up[1], (double)light->up[2]};
+    if (dot(up, up) > 0.0)
+        unit(light->up, s.up);
+    else
+        memcpy(s.up, world_up, sizeof s.up);
+    across_either(s.up, forward, world_up, s.ahead);
+    cross(s.ahead, s.up, s.right);
+    return s;
+}
+
+static void turn_map(const tl_camera *camera,
+                     const stand *s,
+                     double right_scale,
+                     double up_scale,
+                     tl_view_map *map)
+{
+    tl_map_direction(camera, s->right, right_scale, map->right);
+    tl_map_direction(camera, s->up, up_scale, map->up);
+    tl_map_direction(camera, s->ahead, 1.0, map->ahead);
+}
+
+/* The square around a spot's cone is the whole picture. */
+static tl_status add_texture(const tl_camera *camera,
+                             const tl_light_set *lights,
+                             const tl_light *light,
+                             tl_prepared *prepared,
+                             tl_view_shape *shape,
+                             tl_error *err)
+{
+    const tl_light_image *image = &lights->images[light->texture - 1];
+    const int is_spot = light->type == TL_LIGHT_SPOT;
+    const stand s = is_spot ? stand_of_spot(light) : stand_of_point(light);
+    const double half_view = is_spot ? tan((double)light->outer_cone) : 1.0;
+    shape->is_spot = (tl_u32)is_spot;
+    turn_map(camera, &s, is_spot ? 0.5 * image->width / half_view : 1.0,
+             is_spot ? 0.5 * image->height / half_view : 1.0, &shape->map);
+    return tl_map_show(lights, light->texture, 1.0, prepared, &shape->map, err);
+}
+
+static tl_status add_table(const tl_light_set *lights,
+                           const tl_light *light,
+                           tl_prepared *prepared,
+                           tl_view_shape *shape,
+                           tl_error *err)
+{
+    const tl_light_table *table = &lights->tables[light->table - 1];
+    void *memory = NULL;
+    const tl_status status =
+        tl_section_add(prepared, table->count * sizeof(float), &shape->table_at, &memory, err);
+    if (status != TL_OK)
+        return status;
+    memcpy(memory, table->values, table->count * sizeof(float));
+    shape->table_last = table->count - 1;
+    return TL_OK;
+}
+
+/* Shape `index` of the section, of prepared light i. */
+static tl_status add_shape(const tl_camera *camera,
+                           const tl_light_set *lights,
+                           uint32_t i,
+                           uint32_t index,
+                           tl_prepared *prepared,
+                           tl_error *err)
+{
+    const tl_light *light = &lights->lights[prepared->sources[i]];
+    tl_view_shape shape = {.falloff = prepared->lights[i].falloff};
+    tl_status status = TL_OK;
+    tl_lobe_color(lights, light, light->ambient, shape.ambient);
+    if (light->table > 0)
+        TRY(add_table(lights, light, prepared, &shape, err));
+    if (light->texture > 0)
+        TRY(add_texture(camera, lights, light, prepared, &shape, err));
+    ((tl_view_shape *)tl_section_at(prepared, prepared->frame.shapes_at))[index] = shape;
+    prepared->lights[i].falloff = TL_FADE_COUNT + index;
+done:
+    return status;
+}
+
+tl_status tl_shapes_add(const tl_camera *camera,
+                        const tl_light_set *lights,
+                        tl_prepared *prepared,
+                        tl_error *err)
+{
+    tl_status status = TL_OK;
+    uint32_t count = 0, index = 0;
+    for (uint32_t i = 0; i < prepared->frame.light_count; i++)
+        count += (uint32_t)tl_light_has_shape(&lights->lights[prepared->sources[i]]);
+    if (count == 0)
+        return TL_OK;
+    if (count > TL_BITS_OF_ONE - TL_FADE_COUNT)
+        return tl_fail(err, TL_ERR_ARGUMENT, "%u lights with textures, tables or ambient lobes",
+                       count);
+    TRY(tl_section_add(prepared, count * sizeof(tl_view_shape), &prepared->frame.shapes_at,
+                       NULL, err));
+    for (uint32_t i = 0; i < prepared->frame.light_count; i++)
+        if (tl_light_has_shape(&lights->lights[prepared->sources[i]]))
+            TRY(add_shape(camera, lights, i, index++, prepared, err));
+done:
+    return status;
+}
+
+/* Upright, its middle towards -z, turned about the vertical. */
+static stand stand_of_sky(double rotation)
+{
+    const double c = cos(rotation), s = sin(rotation);
+    const stand of = {{c, 0.0, -s}, {0.0, 1.0, 0.0}, {-s, 0.0, -c}};
+    return of;
+}
+
+tl_status tl_sky_add(const tl_camera *camera,
+                     const tl_light_set *lights,
+                     tl_prepared *prepared,
+                     tl_error *err)
+{
+    const stand s = stand_of_sky((double)lights->sky_rotation);
+    tl_view_sky sky = {.reserved0 = 0};
+    tl_status status = TL_OK;
+    if (lights->sky_type == TL_SKY_CONSTANT || !tl_light_set_has_sky(lights))
+        return TL_OK;
+    TRY(tl_section_add(prepared, sizeof sky, &prepared->frame.sky_at, NULL, err));
+    memcpy(sky.zenith, lights->zenith, sizeof sky.zenith);
+    memcpy(sky.ground, lights->ground, sizeof sky.ground);
+    turn_map(camera, &s, 1.0, 1.0, &sky.map);
+    if (lights->sky_type == TL_SKY_IMAGE)
+        TRY(tl_map_show(lights, lights->sky_image, (double)lights->sky_intensity, prepared,
+                        &sky.map, err));
+    memcpy(tl_section_at(prepared, prepared->frame.sky_at), &sky, sizeof sky);
+done:
+    return status;
+}

@@ -1,0 +1,29 @@
+/* What few lights have beside the rest (tl_view_shape), and the sky, as sections behind the lights. */
+#ifndef TL_SHAPES_H
+#define TL_SHAPES_H
+
+#include "prepared.h"
+
+/* Whether the light has any of it: a falloff table, a texture, an ambient lobe. */
+int tl_light_has_shape(const tl_light *light);
+
+/* Once all lights of the frame are there: gives those that call for it their shapes, and adds tables and
+ * textures. Fails as tl_section_add does. */
+tl_status tl_shapes_add(const tl_camera *camera,
+                        const tl_light_set *lights,
+                        tl_prepared *prepared,
+                        tl_error *err);
+
+/* The sky's section, where it is not of one colour. Fails alike. */
+tl_status tl_sky_add(const tl_camera *camera,
+                     const tl_light_set *lights,
+                     tl_prepared *prepared,
+                     tl_error *err);
+
+/* Colour, intensity and the scale of a lobe, multiplied out.
+ *
+ * Kernels compute pi times what a surface reflects, so that white under 1 lx is 1. A model with units of
+ * its own has lights scaled for all of a frame's surfaces, whatever model some of them have. */
+void tl_lobe_color(const tl_light_set *set, const tl_light *light, float lobe, float out[3]);
+
+#endif

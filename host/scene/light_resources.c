@@ -1,0 +1,213 @@
+#include "light_resources.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const float quarter_turn = 1.57079637f; /* as files have pi/2 */
+static const float brightest = 1e30f;
+static const float most_rotation = 1e6f; /* rad; beyond, a float's steps are coarse */
+
+/* Room for one more of `size` bytes. */
+static tl_status grow(void **array, size_t count, size_t size, tl_error *err)
+{
+    void *const grown = realloc(*array, (count + 1) * size);
+    if (!grown)
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for what belongs to lights");
+    *array = grown;
+    return TL_OK;
+}
+
+tl_status tl_light_set_add_table(
+    tl_light_set *set, const float *values, uint32_t count, uint32_t *out, tl_error *err)
+{
+    float *const copy = malloc(count * sizeof *copy);
+    tl_status status = copy ? TL_OK : tl_fail(err, TL_ERR_MEMORY, "out of memory for a table");
+    if (status == TL_OK)
+        status = grow((void **)&set->tables, set->table_count, sizeof *set->tables, err);
+    if (status != TL_OK) {
+        free(copy);
+        return status;
+    }
+    memcpy(copy, values, count * sizeof *copy);
+    set->tables[set->table_count++] = (tl_light_table){.count = count, .values = copy};
+    *out = (uint32_t)set->table_count;
+    return TL_OK;
+}
+
+tl_status tl_light_set_add_image(tl_light_set *set,
+                                 const char *path,
+                                 uint32_t width,
+                                 uint32_t height,
+                                 float *pixels,
+                                 uint32_t *out,
+                                 tl_error *err)
+{
+    const size_t length = strlen(path) + 1;
+    char *const copy = malloc(length);
+    tl_status status = copy ? TL_OK : tl_fail(err, TL_ERR_MEMORY, "out of memory for a path");
+    if (status == TL_OK)
+        status = grow((void **)&set->images, set->image_count, sizeof *set->images, err);
+    if (status != TL_OK) {
+        free(copy);
+        free(pixels);
+        return status;
+    }
+    memcpy(copy, path, length);
+    set->images[set->image_count++] =
+        (tl_light_image){.path = copy, .width = width, .height = height, .pixels = pixels};
+    *out = (uint32_t)set->image_count;
+    return TL_OK;
+}
+
+int tl_light_set_has_sky(const tl_light_set *set)
+{
+    if (set->sky_type == TL_SKY_IMAGE)
+        return set->sky_intensity > 0.0f;
+    for (int i = 0; i < 3; i++)
+        if (set->sky[i] > 0.0f || set->zenith[i] > 0.0f || set->ground[i] > 0.0f)
+            return 1;
+    return 0;
+}
+
+void tl_light_resources_clear(tl_light_set *set)
+{
+    for (size_t i = 0; i < set->table_count; i++)
+        free(set->tables[i].values);
+    for (size_t i = 0; i < set->image_count; i++) {
+        free(set->images[i].path);
+        free(set->images[i].pixels);
+    }
+    free(set->tables);
+    free(set->images);
+    free(set->folder);
+}
+
+static tl_status check_table(const tl_light_set *set,
+                             size_t index,
+                             const char *source,
+                             tl_error *err)
+{
+    const tl_light *light = &set->lights[index];
+    const int has_table = light->table > 0 && light->table <= set->table_count;
+    if (light->falloff != TL_FALLOFF_TABLE && light->table > 0)
+        return tl_fail(
+            err, TL_ERR_FORMAT,
+            "%s: lights[%zu] \"%s\": \"lut\" is for a falloff table; remove it, or say "
+            "\"falloff\": \"lut\"",
+            source, index, light->name);
+    if (light->falloff != TL_FALLOFF_TABLE)
+        return TL_OK;
+    if (!has_table)
+        return tl_fail(err, TL_ERR_FORMAT,
+                       "%s: lights[%zu] \"%s\": the falloff \"lut\" needs its table: \"lut\": "
+                       "[numbers, from distance 0 to the range]",
+                       source, index, light->name);
+    const tl_light_table *table = &set->tables[light->table - 1];
+    if (table->count < TL_LEAST_SAMPLES || table->count > TL_MOST_SAMPLES)
+        return tl_fail(err, TL_ERR_FORMAT,
+                       "%s: lights[%zu] \"%s\": lut has %u numbers, it must have %d to %d",
+                       source, index, light->name, table->count, TL_LEAST_SAMPLES,
+                       TL_MOST_SAMPLES);
+    for (uint32_t i = 0; i < table->count; i++)
+        if (!(table->values[i] >= 0.0f && table->values[i] <= TL_MOST_WEIGHT))
+            return tl_fail(err, TL_ERR_FORMAT,
+                           "%s: lights[%zu] \"%s\": lut[%u] is %g, it must be from 0 to %g",
+                           source, index, light->name, i, (double)table->values[i],
+                           (double)TL_MOST_WEIGHT);
+    return TL_OK;
+}
+
+/* Up may be left to us; given, it must not be along the axis of a spot. */
+static tl_status check_up(const tl_light *light,
+                          size_t index,
+                          const char *source,
+                          tl_error *err)
+{
+    static const double least_sine2 = 1e-8;
+    const float *u = light->up, *d = light->direction;
+    double length2 = 0.0, along = 0.0;
+    for (int i = 0; i < 3; i++) {
+        length2 += (double)u[i] * (double)u[i];
+        along += (double)u[i] * (double)d[i];
+    }
+    if (!(length2 > 0.0))
+        return isnan(length2)
+                   ? tl_fail(err, TL_ERR_FORMAT, "%s: lights[%zu] \"%s\": up is no number",
+                             source, index, light->name)
+                   : TL_OK;
+    if (light->texture == 0)
+        return tl_fail(
+            err, TL_ERR_FORMAT,
+            "%s: lights[%zu] \"%s\": up says where the top of a texture is, and there "
+            "is none; remove it",
+            source, index, light->name);
+    if (!(fabs(length2 - 1.0) <= 1e-3))
+        return tl_fail(err, TL_ERR_FORMAT,
+                       "%s: lights[%zu] \"%s\": up (%g, %g, %g) is not of length 1", source,
+                       index, light->name, (double)u[0], (double)u[1], (double)u[2]);
+    if (light->type == TL_LIGHT_SPOT && !(length2 - along * along > least_sine2))
+        return tl_fail(err, TL_ERR_FORMAT,
+                       "%s: lights[%zu] \"%s\": up is along the direction of the light: the "
+                       "texture would have no top; choose another",
+                       source, index, light->name);
+    return TL_OK;
+}
+
+static tl_status check_texture(const tl_light_set *set,
+                               size_t index,
+                               const char *source,
+                               tl_error *err)
+{
+    const tl_light *light = &set->lights[index];
+    if (light->texture == 0)
+        return TL_OK;
+    if (light->texture > set->image_count)
+        return tl_fail(err, TL_ERR_FORMAT, "%s: lights[%zu] \"%s\": there is no image %u",
+                       source, index, light->name, light->texture);
+    if (light->type == TL_LIGHT_DIRECTIONAL)
+        return tl_fail(
+            err, TL_ERR_FORMAT,
+            "%s: lights[%zu] \"%s\": a directional light has no \"texture\"; remove it", source,
+            index, light->name);
+    if (light->type == TL_LIGHT_SPOT && !(light->outer_cone < quarter_turn))
+        return tl_fail(
+            err, TL_ERR_FORMAT,
+            "%s: lights[%zu] \"%s\": outerConeAngle is %g; a texture is projected over "
+            "a cone, which must then be below pi/2: narrow it, or make it a point light",
+            source, index, light->name, (double)light->outer_cone);
+    return TL_OK;
+}
+
+tl_status tl_light_resources_check(const tl_light_set *set,
+                                   size_t index,
+                                   const char *source,
+                                   tl_error *err)
+{
+    tl_status status = check_table(set, index, source, err);
+    if (status == TL_OK)
+        status = check_texture(set, index, source, err);
+    if (status == TL_OK)
+        status = check_up(&set->lights[index], index, source, err);
+    return status;
+}
+
+tl_status tl_light_sky_check(const tl_light_set *set, const char *source, tl_error *err)
+{
+    if ((unsigned)set->sky_type >= TL_SKY_COUNT)
+        return tl_fail(err, TL_ERR_FORMAT, "%s: there is no kind of sky %u", source,
+                       (unsigned)set->sky_type);
+    if (set->sky_type != TL_SKY_IMAGE)
+        return TL_OK;
+    if (set->sky_image == 0 || set->sky_image > set->image_count)
+        return tl_fail(err, TL_ERR_FORMAT, "%s: sky: there is no image %u", source,
+                       set->sky_image);
+    if (!(set->sky_intensity >= 0.0f && set->sky_intensity <= brightest))
+        return tl_fail(err, TL_ERR_FORMAT, "%s: sky: intensity is %g, it must be from 0 to %g",
+                       source, (double)set->sky_intensity, (double)brightest);
+    if (!(fabsf(set->sky_rotation) <= most_rotation))
+        return tl_fail(err, TL_ERR_FORMAT, "%s: sky: rotation is %g, it must be from %g to %g",
+                       source, (double)set->sky_rotation, -(double)most_rotation,
+                       (double)most_rotation);
+    return TL_OK;
+}
