@@ -155,8 +155,7 @@ static double by_slide(const tl_light_set *set, const double p[3], int channel)
     const tl_light *light = &set->lights[0];
     const double d = distance_to(light, p), ahead = (double)light->position[2] - p[2];
     const double half = tan((double)light->outer_cone) * ahead;
-    const double outer = cos((double)light->outer_cone),
-                 inner = cos((double)light->inner_cone),
+    const double outer = cos((double)light->outer_cone), inner = cos((double)light->inner_cone),
                  above = (ahead / d - outer) / (inner - outer);
     const double share = fmin(fmax(above, 0.0), 1.0);
     const double u = 0.5 + 0.5 * (p[0] - (double)light->position[0]) / half;
@@ -238,13 +237,15 @@ static void maps_are_around_and_not_mirrored(void **state)
     tl_light_set_clear(&set);
 }
 
-/* The ambient lobe: a lamp behind the wall, which it does not face, and occlusion 1/2. */
+/* The ambient lobe: a lamp behind the wall, which it does not face, and occlusion 1/2. At the range the light
+ * is half as bright as beside it, and beyond it is not. */
 static double by_ambient_lobe(const tl_light_set *set, const double p[3], int channel)
 {
     const tl_light *light = &set->lights[0];
     const double d = distance_to(light, p);
     (void)channel;
-    return d < (double)light->range ? 0.5 * 3.0 * 0.25 * (1.0 - d / (double)light->range) : 0.0;
+    return d < (double)light->range ? 0.5 * 3.0 * 0.25 * (1.0 - 0.5 * d / (double)light->range)
+                                    : 0.0;
 }
 
 static void ambient_lobes_ask_for_no_normal(void **state)
@@ -255,7 +256,8 @@ static void ambient_lobes_ask_for_no_normal(void **state)
     (void)state;
     light.position[2] = -2.5f;
     light.range = 1.5f;
-    light.falloff = TL_FALLOFF_LINEAR;
+    light.falloff = TL_FALLOFF_TABLE;
+    ASSERT_OK(tl_light_set_add_table(&set, (float[]){1.0f, 0.5f}, 2, &light.table, &err), err);
     light.intensity = 3.0f;
     light.ambient = 0.25f;
     ASSERT_OK(tl_light_set_add(&set, &light, &err), err);
