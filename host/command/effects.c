@@ -41,7 +41,9 @@ static void print_row(const tl_effect_row *row)
     const char *before = "for: ";
     char planes[128];
     explain_planes(row->planes, planes, sizeof planes);
-    printf("%-*s%s; %s\n%*s", INDENT, row->word, row->computes, row->option, INDENT, "");
+    printf("%-*s%s; %s%s\n%*s", INDENT, row->word, row->computes, row->option,
+           tl_effect_is_by_tile((tl_effect)(row - tl_effect_rows)) ? ", tile by tile" : "",
+           INDENT, "");
     for (int c = 0; c < TL_CAUSE_COUNT; c++)
         if (row->causes >> c & 1u) {
             printf("%s%s", before, tl_cause_rows[c].what);
@@ -61,8 +63,9 @@ static json_t *row_json(const tl_effect_row *row)
     for (int p = 0; p < EXPLAIN_PLANE_WORDS; p++)
         if (explain_plane_word(p, row->planes))
             json_array_append_new(planes, json_string(explain_plane_word(p, row->planes)));
-    return json_pack("{ss ss so so ss}", "name", row->word, "computes", row->computes, "for",
-                     causes, "planes", planes, "switch", row->option);
+    return json_pack("{ss ss so so ss sb}", "name", row->word, "computes", row->computes, "for",
+                     causes, "planes", planes, "switch", row->option, "by_tile",
+                     (int)tl_effect_is_by_tile((tl_effect)(row - tl_effect_rows)));
 }
 
 static tl_status print_json(tl_error *err)

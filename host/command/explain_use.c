@@ -35,6 +35,8 @@ static uint32_t pixels_of_tile(const job *j, const explained *e, uint32_t tile)
 /* Causes that are no light's and that a tile may have or lack: planes that say something there, whole sky. */
 static uint32_t causes_of_tile(const job *j, const explained *e, uint32_t tile, uint32_t planes)
 {
+    static const uint32_t sky =
+        TL_BY(TL_CAUSE_SKY) | TL_BY(TL_CAUSE_SKY_GRADIENT) | TL_BY(TL_CAUSE_SKY_IMAGE);
     uint32_t causes = e->of.causes | e->of.assumed;
     if (!(planes & TL_GROUP_OCCLUSION))
         causes &= ~TL_BY(TL_CAUSE_OCCLUSION);
@@ -43,9 +45,9 @@ static uint32_t causes_of_tile(const job *j, const explained *e, uint32_t tile, 
     if ((e->of.present & TL_GROUP_PHONG) && !(planes & TL_THREE(TL_SPECULAR_R)))
         causes &= ~TL_BY(TL_CAUSE_GLOSS);
     if (e->surfaces[tile] == 0)
-        causes &= TL_BY(TL_CAUSE_SKY);
+        causes &= sky;
     if (e->surfaces[tile] == pixels_of_tile(j, e, tile))
-        causes &= ~TL_BY(TL_CAUSE_SKY);
+        causes &= ~sky;
     return causes;
 }
 

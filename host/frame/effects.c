@@ -33,13 +33,26 @@ uint32_t tl_effects_of_light(uint32_t all_causes, uint32_t light_causes)
     return effects;
 }
 
+bool tl_effect_is_by_tile(tl_effect effect)
+{
+    static const uint32_t by_tile = 1u << TL_EFFECT_RANGED | 1u << TL_EFFECT_SPOTS |
+                                    1u << TL_EFFECT_SPECULAR | 1u << TL_EFFECT_TABLE |
+                                    1u << TL_EFFECT_PROJECTED | 1u << TL_EFFECT_AROUND |
+                                    1u << TL_EFFECT_AMBIENT_LOBE;
+    return (by_tile >> effect & 1u) != 0;
+}
+
 #define NO_FALLOFF "its lights would have no falloff"
 static const char *const bound_by[TL_EFFECT_COUNT] = {
     [TL_EFFECT_DIRECTIONAL] = NO_FALLOFF,
     [TL_EFFECT_INVERSE_SQUARE] = NO_FALLOFF,
     [TL_EFFECT_LINEAR] = NO_FALLOFF,
     [TL_EFFECT_LINEAR_FROM] = NO_FALLOFF,
+    [TL_EFFECT_TABLE] = NO_FALLOFF,
     [TL_EFFECT_METAL_ROUGH] = "surfaces would have no material",
+    [TL_EFFECT_EXPONENT] = "the pixels' own would stand in for it",
+    [TL_EFFECT_WIDTH] = "its shading model is made of it",
+    [TL_EFFECT_FRESNEL] = "its shading model is made of it",
     [TL_EFFECT_MODEL] = "another model would stand in for it",
     [TL_EFFECT_ONE_COLOR] = "two sums would stand in for one",
     [TL_EFFECT_SKY] = "black is a colour too",

@@ -155,6 +155,10 @@ uint32_t tl_effects_of(uint32_t causes);
 /* Those of the effects, given all causes there are, that a light with these causes among them calls for. */
 uint32_t tl_effects_of_light(uint32_t all_causes, uint32_t light_causes);
 
+/* Whether each tile computes it only where one of its own lights calls for it (kernels/choices.h; ranged
+ * lights, by its list). */
+bool tl_effect_is_by_tile(tl_effect effect);
+
 /* Why an effect cannot be taken out by itself, after "it cannot be taken out alone: "; NULL: it can. */
 const char *tl_effect_bound(tl_effect effect);
 
