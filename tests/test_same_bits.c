@@ -22,6 +22,25 @@ typedef struct bits_case {
 
 static const uint32_t widths[] = {8, 1, 4, 16};
 
+/* A row for every model, and pixels of all. */
+static void mix_models(tl_gbuffer *g, tl_light_set *lights)
+{
+    tl_error err;
+    for (int model = 0; model < TL_MODEL_COUNT; model++) {
+        tl_material_row row = tl_material_row_default();
+        row.index = (uint32_t)model + 1;
+        row.model = (enum tl_shading_model)model;
+        if (model == TL_MODEL_WARD_ANISOTROPIC) {
+            row.given = TL_TAKES_ROUGHNESS | TL_TAKES_ACROSS;
+            row.roughness = 0.25f;
+            row.across = 0.75f;
+        }
+        ASSERT_OK(tl_light_set_add_material(lights, &row, &err), err);
+    }
+    for (uint32_t i = 0; i < g->pitch * g->rows; i++)
+        set_pixel(g, TL_BRDF, i, (float)(i % (TL_MODEL_COUNT + 1)));
+}
+
 static void every_width_agrees(tl_device *device, const bits_case *of)
 {
     const tl_arithmetic arithmetic =
@@ -33,6 +52,8 @@ static void every_width_agrees(tl_device *device, const bits_case *of)
         tl_prepared prepared = {0};
         tl_error err;
         lights.model = of->model;
+        if (of->present & TL_GROUP_BRDF)
+            mix_models(g, &lights);
         if (of->spots)
             make_hard_spots(&lights);
         if (of->make_sky) {
@@ -71,19 +92,26 @@ static void every_width_agrees_in_float(void **state)
                                             .width_count = COUNT_OF(widths)});
 }
 
-/* Every model at one width, and every width by some: the text is the same for all. */
+/* One frame of all models, pixel by pixel, and two of one each: the text is the same for all. */
 static void every_width_agrees_by_every_model(void **state)
 {
-    for (int model = TL_MODEL_PHONG + 1; model < TL_MODEL_COUNT; model++)
-        every_width_agrees(
-            *state, &(bits_case){.precision = TL_PRECISION_FLOAT,
-                                 .present = TL_GROUP_BASE | (model == TL_MODEL_METAL_ROUGH
-                                                                 ? TL_GROUP_METAL_ROUGH
-                                                                 : TL_GROUP_PHONG),
-                                 .model = (enum tl_shading_model)model,
-                                 .projection_count = 1,
-                                 .width_count = 1,
-                                 .first_width = (size_t)model % COUNT_OF(widths)});
+    every_width_agrees(*state, &(bits_case){.precision = TL_PRECISION_FLOAT,
+                                            .present = TL_GROUP_BASE | TL_GROUP_PHONG |
+                                                       TL_GROUP_BRDF | TL_GROUP_TANGENT,
+                                            .projection_count = 1,
+                                            .width_count = 2});
+    every_width_agrees(*state, &(bits_case){.precision = TL_PRECISION_FLOAT,
+                                            .present = TL_GROUP_BASE | TL_GROUP_PHONG,
+                                            .model = TL_MODEL_BLINN_PHONG_NORMALIZED,
+                                            .projection_count = 1,
+                                            .width_count = 1,
+                                            .first_width = 2});
+    every_width_agrees(*state, &(bits_case){.precision = TL_PRECISION_FLOAT,
+                                            .present = TL_GROUP_BASE | TL_GROUP_METAL_ROUGH,
+                                            .model = TL_MODEL_METAL_ROUGH,
+                                            .projection_count = 1,
+                                            .width_count = 1,
+                                            .first_width = 3});
 }
 
 static void every_width_agrees_on_metal(void **state)
