@@ -100,8 +100,8 @@ TL_STATIC_ASSERT(sizeof(tl_brdf) == 64, brdf_is_four_rows);
  * length, unless they are scaled so that lookups give pixels at once. */
 typedef struct tl_view_map {
     float right[3];
-    tl_u32
-        pixels_at; /* row of the buffer: [height][width] of R, G, B, 0; 0: there is no picture */
+    /* row of the buffer: [height][width] of R, G, B, 0; 0: there is no picture */
+    tl_u32 pixels_at;
     float up[3];
     tl_u32 width; /* px */
     float ahead[3];
@@ -116,8 +116,8 @@ typedef struct tl_view_shape {
     tl_u32 falloff;   /* that of the light, as others have it; TL_FADE_TABLE: by the table */
     tl_u32 is_spot;   /* 1: the map is projected over the cone; 0: it is all around */
     tl_u32 table_at;  /* row of the buffer where the table begins */
-    tl_u32
-        table_last; /* index of the last of its numbers, at the range; `fade` is that over the range */
+    /* index of the last of its numbers, at the range; `fade` is that over the range */
+    tl_u32 table_last;
     tl_u32 reserved; /* 0 */
 } tl_view_shape;
 TL_STATIC_ASSERT(sizeof(tl_view_shape) == 80, view_shape_is_five_rows);

@@ -33,8 +33,8 @@ typedef struct tl_needs {
     tl_u32 idle;
     tl_u32 models; /* rows of models.h in use, bits 1 << row: `model`, and those of materials */
     tl_u32 choices; /* what tiles choose for themselves, bits of choices.h */
-    tl_u32
-        fixed_exponent; /* 1: all surfaces have the exponent of the frame, in place of their own */
+    /* 1: all surfaces have the exponent of the frame, in place of their own */
+    tl_u32 fixed_exponent;
     tl_u32 shapes;      /* what some light has of it; 0: lights have no shapes */
     tl_u32 sky;         /* 0: of one colour, frame.sky */
 } tl_needs;

@@ -8,9 +8,9 @@
  *               section 3. Of the four numbers around, the nearest is written: sqrt(2) steps in rad at
  *               most, in the middle of a face. No normal: the first number is its format's "none".
  *   spheremap   Lambert's azimuthal equal-area map, (e - 1/2) 4 = (x, y) sqrt(2 / (1 + z)), z towards
- *               the eye; of the ISPC project's deferred shading example. A step s of (x, y) is s/cos(t/2) rad, t the
- *               angle from the axis: 1.4 s across the view, 2 sqrt(s) at -z, the edge of its disk,
- *               where half floats are 4 degrees off. No normal: e = (0, 0), far outside of the disk.
+ *               the eye; of the ISPC project's deferred shading example. A step s of (x, y) is s/cos(t/2)
+ *               rad, t the angle from the axis: 1.4 s across the view, 2 sqrt(s) at -z, the edge of its
+ *               disk, where half floats are 4 degrees off. No normal: e = (0, 0), far outside of the disk.
  *
  * host/gbuffer/error_bounds.c derives these. Reading gives a direction of length 1/2 or more (of floats,
  * any), or 0: whoever reads makes it unit. All of it is in the common subset of C and GLSL, for the

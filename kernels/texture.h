@@ -20,10 +20,10 @@
 /* Longitude of (x, y), in turns, -1/2 to 1/2: atan2(y, x)/2 pi; 0 where both are 0.
  *
  * With t the smaller over the larger magnitude, atan(t)/2 pi = t P(t^2), |P - that/t| <= 2.9e-9
- * (tests/tools/fit_powers.py): 0.4u of it, u = 2^-24. t is off by 5u at most (division), so is what hangs on it; P
- * by 3u in Horner's order; the product by u: 10u of 1/8, and what it is subtracted from rounds by u/4 and u/2:
- * 2u of a turn for exact x and y. Of those, an error by e of their length is one of e/2 pi of a turn. In
- * double the polynomial's 2.9e-9 remains. */
+ * (tests/tools/fit_powers.py): 0.4u of it, u = 2^-24. t is off by 5u at most (division), so is what hangs
+ * on it; P by 3u in Horner's order; the product by u: 10u of 1/8, and what it is subtracted from rounds by
+ * u/4 and u/2: 2u of a turn for exact x and y. Of those, an error by e of their length is one of e/2 pi of
+ * a turn. In double the polynomial's 2.9e-9 remains. */
 #if TL_PRECISE_POWER
 #    if !defined(__OPENCL_C_VERSION__) && !TL_REAL_DOUBLE
 #        define LIBRARY_ATAN2(y, x) atan2f(y, x)

@@ -1,5 +1,5 @@
-/* Does a capture do with a file's extensions what it says: choose materials by variant, tell once by name what it
- * leaves out, refuse what it cannot do without? */
+/* Does a capture do with a file's extensions what it says: choose materials by variant, tell once by name
+ * what it leaves out, refuse what it cannot do without? */
 #include "gltf_scene.h"
 
 enum { SIZE = 8 };
@@ -19,8 +19,8 @@ static char *scene_with(const char *members)
 
 /* --- variants ---------------------------------------------------------------------------------- */
 
-/* Materials: paint (red 0.25), and of red 0.5, 0.75. The square is the second in "night", the third in "snow" and
- * "fog"; "day" does not map it. */
+/* Materials: paint (red 0.25), and of red 0.5, 0.75. The square is the second in "night", the third in
+ * "snow" and "fog"; "day" does not map it. */
 static char *scene_of_variants(void)
 {
     char *text = scene_with(

@@ -260,8 +260,8 @@ static void lights_go_along(void **state)
                "lights      0", "");
 }
 
-/* Three pixels with emission beyond RGB9E5, and one a million metres away. The eye is `away` from the origin, and
- * looks further away. */
+/* Three pixels with emission beyond RGB9E5, and one a million metres away. The eye is `away` from the
+ * origin, and looks further away. */
 static void write_hard_frame(const char *path, uint32_t present, double away)
 {
     static const double up[3] = {0, 1, 0};

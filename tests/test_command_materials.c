@@ -1,5 +1,5 @@
-/* Do materials go from a scene to its picture by their names: captured, listed, lit, and refused where a name or
- * an index leads nowhere? */
+/* Do materials go from a scene to its picture by their names: captured, listed, lit, and refused where a
+ * name or an index leads nowhere? */
 #define _GNU_SOURCE
 #include "program.h"
 

@@ -1,4 +1,5 @@
-/* Is a picture of several samples a pixel the mean of the picture that its samples are, whatever the way there? */
+/* Is a picture of several samples a pixel the mean of the picture that its samples are, whatever the way
+ * there? */
 #define _GNU_SOURCE
 #include "program.h"
 

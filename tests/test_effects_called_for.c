@@ -36,8 +36,8 @@ typedef struct scene {
     int has_shininess;
     tl_sky sky_type;
     enum tl_shading_model model;
-    uint32_t
-        row; /* index that has a row of materials, of this model and specular colour; 0: none */
+    /* index that has a row of materials, of this model and specular colour; 0: none */
+    uint32_t row;
     enum tl_shading_model row_model;
     float row_specular;
     tl_projection projection;

@@ -1,10 +1,10 @@
 /* Do the reference, and the kernels in float, give what the published equations say?
  *
- * The oracle is written from the equations, in long double and world space: it shares no header with
- * the kernels. Phong: Policarpo and Fonseca 2005, equations 1 to 4 (with the half vector of unit
- * vectors, specular 0 where N.L <= 0); normalised Blinn-Phong, and a linear falloff that begins at a
- * distance: the ISPC project's deferred example; Lambert; inverse square and the cones of spots:
- * KHR_lights_punctual; metal-rough to Phong: docs/conventions.md. What may lie between the two is derived below, light by light. */
+ * The oracle is written from the equations, in long double and world space: it shares no header with the
+ * kernels. Phong: Policarpo and Fonseca 2005, equations 1 to 4 (with the half vector of unit vectors,
+ * specular 0 where N.L <= 0); normalised Blinn-Phong, and a linear falloff that begins at a distance: the
+ * ISPC project's deferred example; Lambert; inverse square and the cones of spots: KHR_lights_punctual;
+ * metal-rough to Phong: docs/conventions.md. What may lie between the two is derived below, light by light. */
 #include "frames.h"
 
 #include "prepared.h"
@@ -223,7 +223,8 @@ static v3 radiance(const tl_gbuffer *g,
     return out;
 }
 
-/* Inner and outer half-angles: soft, hard, half of space, more than that, all of it, with an edge and without. */
+/* Inner and outer half-angles: soft, hard, half of space, more than that, all of it, with an edge and
+ * without. */
 static const float cones[][2] = {{0.3f, 0.6f}, {0.8f, 0.8f},        {0.0f, 1.57079637f},
                                  {1.0f, 2.5f}, {0.0f, 3.14159274f}, {3.14159274f, 3.14159274f}};
 

@@ -7,7 +7,8 @@
 #include "reference.h"
 #include "tilelight/layouts.h"
 
-/* What is tried. Metal, models and spots do not know of projections, nor spots of models: each is tried once. */
+/* What is tried. Metal, models and spots do not know of projections, nor spots of models: each is tried
+ * once. */
 typedef struct bits_case {
     tl_precision precision;
     uint32_t present;

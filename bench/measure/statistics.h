@@ -10,8 +10,8 @@
  * of a coin (Conover, "Practical Nonparametric Statistics", 1999, section 3.2). */
 typedef struct tl_interval {
     double low, high;
-    double
-        coverage; /* at least 0.95 from 6 samples on; below that all of them: 1 - 2^(1 - n) */
+    /* at least 0.95 from 6 samples on; below that all of them: 1 - 2^(1 - n) */
+    double coverage;
 } tl_interval;
 
 typedef struct tl_summary {

@@ -7,8 +7,8 @@
 typedef struct tl_machine {
     char processor[128]; /* as the system calls it; "unknown" */
     unsigned threads;    /* that the process may use */
-    double
-        load; /* of the last minute, when it was asked: above 0 something else runs too; NAN unknown */
+    /* of the last minute, when it was asked: above 0 something else runs too; NAN unknown */
+    double load;
 } tl_machine;
 
 /* Cannot fail. */

@@ -52,9 +52,9 @@ typedef struct tl_bench_scene_options {
 /* 1920x1080, Phong, 1024 lights, seed 1, 27 per tile. */
 tl_bench_scene_options tl_bench_scene_options_default(void);
 
-/* The frame and its lights: point lights, linear falloff, spread evenly over what is visible. The caller releases *gbuffer with tl_gbuffer_destroy and clears
- * *lights, which is empty before. Fails with TL_ERR_ARGUMENT (sizes out of range) or
- * TL_ERR_MEMORY. */
+/* The frame and its lights: point lights, linear falloff, spread evenly over what is visible. The caller
+ * releases *gbuffer with tl_gbuffer_destroy and clears *lights, which is empty before. Fails with
+ * TL_ERR_ARGUMENT (sizes out of range) or TL_ERR_MEMORY. */
 tl_status tl_bench_scene_make(const tl_bench_scene *scene,
                               const tl_bench_scene_options *options,
                               tl_gbuffer **gbuffer,

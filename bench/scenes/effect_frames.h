@@ -18,8 +18,8 @@ typedef struct tl_effect_frame {
 
 typedef struct tl_effect_frame_row {
     const char *name; /* of the five a word, of a pair the word of the effect */
-    const char
-        *meaning; /* a phrase: what is in it; of a pair, how the effect is there, unused */
+    /* a phrase: what is in it; of a pair, how the effect is there, unused */
+    const char *meaning;
 } tl_effect_frame_row;
 
 /* The five, the plainest first; frames go by their index. */

@@ -4,8 +4,8 @@
 
 #include "bench_scene.h"
 
-/* The frame of `scene` with the planes `present`, on all threads. The caller releases *out with tl_gbuffer_destroy. Fails with
- * TL_ERR_ARGUMENT for a size out of range, or TL_ERR_MEMORY. */
+/* The frame of `scene` with the planes `present`, on all threads. The caller releases *out with
+ * tl_gbuffer_destroy. Fails with TL_ERR_ARGUMENT for a size out of range, or TL_ERR_MEMORY. */
 tl_status tl_ray_cast(const tl_bench_scene *scene,
                       uint32_t present,
                       uint32_t width,

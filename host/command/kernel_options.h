@@ -16,8 +16,8 @@ typedef struct kernel_choice {
 /* --kernel, --entry, --items. Its input is a kernel_choice. */
 extern const struct argp kernel_argp;
 
-/* Reads the file that was chosen. *out borrows from the choice; it is all zero where none was chosen. Fails with TL_ERR_READ, TL_ERR_FORMAT (larger
- * than a kernel could be, or no text) or TL_ERR_MEMORY. */
+/* Reads the file that was chosen. *out borrows from the choice; it is all zero where none was chosen. Fails
+ * with TL_ERR_READ, TL_ERR_FORMAT (larger than a kernel could be, or no text) or TL_ERR_MEMORY. */
 tl_status kernel_choice_read(kernel_choice *choice, tl_user_kernel *out, tl_error *err);
 
 /* Accepts what was never read. */

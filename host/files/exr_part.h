@@ -70,7 +70,8 @@ extern const char *const tl_exr_type_words[EXR_PIXEL_LAST_TYPE];
 const char *tl_exr_storage_words(exr_storage_t storage);
 
 /* Reads the targets' channels, which the part has; of type uint those that are held as such, or that are
- * indices: a float holds those exactly. Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED or TL_ERR_MEMORY. */
+ * indices: a float holds those exactly. Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED or
+ * TL_ERR_MEMORY. */
 tl_status tl_exr_part_pixels(const tl_exr_part *part,
                              const tl_exr_target *targets,
                              size_t target_count,

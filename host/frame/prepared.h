@@ -22,8 +22,8 @@ typedef struct tl_prepared {
     size_t capacity;        /* lights that there is room for in both */
     size_t memory_size;     /* bytes at `lights` */
     size_t sections_size;   /* bytes of the sections behind the cones: sections.h */
-    tl_u32
-        *images_at; /* [images of the set], row of each that is in a section, else 0; owned */
+    /* [images of the set], row of each that is in a section, else 0; owned */
+    tl_u32 *images_at;
     size_t image_capacity;
     uint32_t two_colored_count; /* lights that add something, with lobes of different colours */
     const tl_brdf

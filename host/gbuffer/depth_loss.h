@@ -7,12 +7,12 @@
 
 /* The largest of depths from `depth` to a tenth beyond it, relative to the depth. */
 typedef struct tl_depth_loss {
-    double
-        stored;  /* what the number says, computed exactly, against the depth that was packed */
+    /* what the number says, computed exactly, against the depth that was packed */
+    double stored;
     double read; /* what kernels make of the number in float, against computing it exactly */
-    double
-        textbook; /* the same by 1 / (d/P34 + P33/P34), "Deferred Shading Tricks", d/P34 one fma and
-                      * P33/P34 as floats; NAN where the layout stores no depth of a projection */
+    /* the same by 1 / (d/P34 + P33/P34), "Deferred Shading Tricks", d/P34 one fma and P33/P34 as
+     * floats; NAN where the layout stores no depth of a projection */
+    double textbook;
 } tl_depth_loss;
 
 /* Under a perspective camera; depth, m, from its near to its far plane. Fails with TL_ERR_UNSUPPORTED

@@ -38,10 +38,10 @@ typedef struct tl_program {
 } tl_program;
 
 /* The device's program for these options: every kernel, built the first time they are asked for. With
- * `user` (NULL, or its text NULL: ours), shade_tiles is the user's kernel. The device owns *out and keeps the programs it
- * was asked for last, 16 of them, so *out holds until the next call. Fails with TL_ERR_DEVICE, of a
- * user's kernel TL_ERR_FORMAT, the message carrying the compiler's log; TL_ERR_FORMAT or
- * TL_ERR_ARGUMENT of user_kernel.h; TL_ERR_MEMORY. */
+ * `user` (NULL, or its text NULL: ours), shade_tiles is the user's kernel. The device owns *out and keeps
+ * the programs it was asked for last, 16 of them, so *out holds until the next call. Fails with
+ * TL_ERR_DEVICE, of a user's kernel TL_ERR_FORMAT, the message carrying the compiler's log; TL_ERR_FORMAT
+ * or TL_ERR_ARGUMENT of user_kernel.h; TL_ERR_MEMORY. */
 tl_status tl_program_find(tl_device *device,
                           const tl_kernel_options *options,
                           const tl_user_kernel *user,

@@ -18,8 +18,8 @@ typedef struct tl_pass_context {
     int precision_is_double;
     int by_pixel;      /* 1: the path for GPUs, and a program for it */
     int ignores_lists; /* 1: shading takes every list for empty */
-    double
-        first_start_s; /* of the first launch that has finished, on tl_seconds' clock; or 0 */
+    /* of the first launch that has finished, on tl_seconds' clock; or 0 */
+    double first_start_s;
     int launch_count;
     struct {
         cl_event event;

@@ -5,7 +5,8 @@
 #include "packing.h"
 #include "prepared.h"
 
-/* Lights rows [begin, end). planes: the G-buffer's words, each [rows][pitch]; radiance: the three planes of an image with the same pitch. */
+/* Lights rows [begin, end). planes: the G-buffer's words, each [rows][pitch]; radiance: the three planes of
+ * an image with the same pitch. */
 typedef void tl_twin_rows(const tl_prepared *prepared,
                           const tl_word_planes *planes,
                           float *const radiance[3],

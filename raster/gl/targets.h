@@ -30,8 +30,9 @@ typedef struct tl_targets {
     unsigned char *scratch; /* [chunk_rows][width] texels of any target, owned */
 } tl_targets;
 
-/* Makes the targets of the layout of `gbuffer`, which is as it was created, all sky; as high as a bounded amount of memory allows. Release with
- * tl_targets_clear; the GL objects go with the context. Fails with TL_ERR_DEVICE or TL_ERR_MEMORY. */
+/* Makes the targets of the layout of `gbuffer`, which is as it was created, all sky; as high as a bounded
+ * amount of memory allows. Release with tl_targets_clear; the GL objects go with the context. Fails with
+ * TL_ERR_DEVICE or TL_ERR_MEMORY. */
 tl_status tl_targets_create(const tl_gl *gl,
                             const tl_gbuffer *gbuffer,
                             tl_targets *out,

@@ -17,8 +17,8 @@ typedef struct vec {
 
 /* A triangle, and what it says of the directions in which u and v grow. */
 typedef struct triangle {
-    uint32_t
-        corners[3]; /* welded: the first corner that has the same position, normal and uv */
+    /* welded: the first corner that has the same position, normal and uv */
+    uint32_t corners[3];
     uint32_t neighbours[3]; /* across the edge from corner i to the next; NONE */
     uint32_t groups[3];     /* of corner i; NONE */
     vec along_u, along_v;   /* unit, or 0 */

@@ -204,12 +204,12 @@ typedef struct tl_explanation {
     uint32_t effects; /* that are on, bits 1 << tl_effect */
     uint32_t causes;  /* that the frame has, bits 1 << tl_cause */
     uint32_t assumed; /* causes that TL_EFFECTS_ALL takes for there beside them */
-    uint32_t
-        without; /* effects taken out all the same, to see what they cost: another picture */
+    /* effects taken out all the same, to see what they cost: another picture */
+    uint32_t without;
     uint32_t present; /* planes of the frame, bits 1 << plane */
     uint32_t neutral; /* those that say nothing: tl_gbuffer.neutral */
-    uint32_t
-        is_dark; /* 1: no surface reflects light: tl_gbuffer.is_dark, and no row of materials in use */
+    /* 1: no surface reflects light: tl_gbuffer.is_dark, and no row of materials in use */
+    uint32_t is_dark;
     uint32_t idle;                                   /* those that are not read */
     tl_some_lights lights[TL_CAUSE_COUNT];           /* of causes of lights */
     tl_some_lights idle_lights[TL_IDLE_LIGHT_COUNT]; /* add nothing; left out with AUTO */

@@ -53,10 +53,10 @@ typedef struct tl_gbuffer {
      * multiples of their side. */
     uint32_t samples;
     enum tl_layout_name layout;
-    uint32_t
-        present; /* bit p: plane p can be had; a union of TL_GROUP_... with TL_GROUP_BASE */
-    uint32_t
-        pitch;     /* pixels from row to row: at least camera.width, a multiple of TL_PADDING */
+    /* bit p: plane p can be had; a union of TL_GROUP_... with TL_GROUP_BASE */
+    uint32_t present;
+    /* pixels from row to row: at least camera.width, a multiple of TL_PADDING */
+    uint32_t pitch;
     uint32_t rows; /* camera.height up to a multiple of TL_PADDING */
     /* How far stored positions lie off the rays of their pixels at most: x/depth and y/depth,
      * or m under an orthographic camera. 0 where the layout stores depth. Of positions,

@@ -117,8 +117,8 @@ typedef struct tl_lighting_options {
     tl_precision precision;
     tl_path path;
     uint32_t tile_size; /* px: 8, 16, 32 or 64 */
-    uint32_t
-        vector_width; /* lanes: 1, 4, 8 or 16; 0: what suits the device; the gpu path has 1 */
+    /* lanes: 1, 4, 8 or 16; 0: what suits the device; the gpu path has 1 */
+    uint32_t vector_width;
     int keeps_tile_lights;   /* 1: for tl_lighting_tile_lights, tl_lighting_effect_use */
     tl_effects_mode effects; /* the picture is the same bit for bit */
     float light_cutoff; /* a light without a range ends where it gives this (lx); 0: never */

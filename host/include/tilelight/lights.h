@@ -54,8 +54,8 @@ typedef struct tl_light_table {
 typedef struct tl_light_image {
     char *path;             /* as files name it; owned by the set */
     uint32_t width, height; /* px */
-    float
-        *pixels; /* [height][width][3], linear Rec. 709, from the top left; owned by the set */
+    /* [height][width][3], linear Rec. 709, from the top left; owned by the set */
+    float *pixels;
 } tl_light_image;
 
 #define TL_MOST_IMAGE_EXTENT 8192u      /* px, each way */
@@ -74,9 +74,9 @@ typedef struct tl_light {
     float ambient;                /* scale of what arrives without regard to the normal, >= 0 */
     float inner_cone, outer_cone; /* half-angles in radians, 0 <= inner <= outer <= pi; spot */
     uint32_t table; /* 1 + index of the set's tables, of TL_FALLOFF_TABLE; else 0 */
-    uint32_t
-        texture; /* 1 + index of the set's images that colours are multiplied with; point, and
-                         spot with an outer cone below pi/2; 0: none */
+    /* 1 + index of the set's images that colours are multiplied with; point, and spot with an
+     * outer cone below pi/2; 0: none */
+    uint32_t texture;
     float up[3]; /* unit, world space: which way the top of the texture is; 0 0 0: the default,
                          docs/conventions.md */
     char name[64]; /* for messages; may be empty */
@@ -87,8 +87,8 @@ typedef struct tl_material_row {
     uint32_t index;     /* 1 to TL_MAX_MATERIALS; of no matter where `material` says it */
     char material[128]; /* one of tl_gbuffer.materials; "" where the index says it */
     enum tl_shading_model model;
-    uint32_t
-        given; /* what of the following replaces the surface's own: bits of tl_brdf_parameter */
+    /* what of the following replaces the surface's own: bits of tl_brdf_parameter */
+    uint32_t given;
     float diffuse[3], specular[3]; /* linear Rec. 709, 0 to 1 */
     float exponent;                /* 0 to 10000 */
     float roughness, across; /* 0 to 1, as artists see it; along the direction, and across it */
@@ -109,15 +109,15 @@ typedef enum tl_sky {
         TL_SKY_COUNT
 } tl_sky;
 
-/* lights, materials, tables and images are owned by the set; release with tl_light_set_clear. All zero is a valid
- * empty set. */
+/* lights, materials, tables and images are owned by the set; release with tl_light_set_clear. All zero is a
+ * valid empty set. */
 typedef struct tl_light_set {
     float ambient[3]; /* linear Rec. 709; multiplies albedo and occlusion */
     tl_sky sky_type;
     float sky[3]; /* radiance: of a constant sky; of a gradient at the horizon; else 0 */
     float zenith[3], ground[3]; /* of a gradient: straight up and straight down */
-    uint32_t
-        sky_image; /* 1 + index of images, of TL_SKY_IMAGE; a map of latitude and longitude */
+    /* 1 + index of images, of TL_SKY_IMAGE; a map of latitude and longitude */
+    uint32_t sky_image;
     float sky_intensity;         /* that the image is multiplied with, >= 0 */
     float sky_rotation;          /* rad, of the image, anticlockwise as seen from above */
     enum tl_shading_model model; /* how surfaces reflect */
@@ -168,7 +168,8 @@ int tl_light_set_has_sky(const tl_light_set *set);
 void tl_light_set_clear(tl_light_set *set);
 
 /* Fails with TL_ERR_FORMAT, naming the light or the row of materials by index and name and the field, for a
- * value that is not finite or outside the ranges above, and for two rows of one index or material. `source` (a file) stands in front of the sentence. */
+ * value that is not finite or outside the ranges above, and for two rows of one index or material. `source`
+ * (a file) stands in front of the sentence. */
 tl_status tl_light_set_check(const tl_light_set *set, const char *source, tl_error *err);
 
 /* Adds a key light from the upper left and a fill light from the right of the camera, and ambient
