@@ -144,7 +144,7 @@ static const struct {
     {FILE_WITH("\"shininess\": 10001"), TL_ERR_FORMAT, {"shininess", "10001", "10000"}},
     {FILE_WITH("\"shininess\": -1"), TL_ERR_FORMAT, {"shininess", "-1"}},
     {FILE_WITH("\"model\": 1"), TL_ERR_FORMAT, {"\"model\"", "\"phong\""}},
-    {FILE_WITH("\"model\": \"gouraud\""), TL_ERR_FORMAT, {"\"gouraud\"", "\"lambert\""}},
+    {FILE_WITH("\"model\": \"gouraud\""), TL_ERR_FORMAT, {"\"gouraud\"", "\"lambert\"", "\"metal-rough\""}},
     {FILE_WITH("\"materials\": { \"model\": 1 }"), TL_ERR_FORMAT, {"\"model\"", "phong"}},
     {LIGHT("\"type\": 1"), TL_ERR_FORMAT, {"\"type\"", "point"}},
     {LIGHT("\"type\": null"), TL_ERR_FORMAT, {"\"type\""}},

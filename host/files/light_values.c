@@ -77,7 +77,7 @@ tl_status tl_read_word(const tl_place *at,
                        tl_error *err)
 {
     const char *word = json_string_value(value);
-    char known[128] = "";
+    char known[1024] = "";
     for (int i = 0; i < word_count; i++) {
         if (word && strcmp(word, words[i]) == 0) {
             *out = i;
