@@ -185,9 +185,76 @@ lit_by(const tl_frame *frame, tl_needs needs, surface s, finish f, tile_lights b
     return sum;
 }
 
+/* A row of blocks of a tile: `first` is its first pixel, in the image at (column, row). */
+typedef struct block_row {
+    size_t first;
+    uint column, row;
+} block_row;
+
+TL_INLINE int shows_surface(surface s)
+{
+    return any_lane(s.position.z > (real)-INFINITY);
+}
+
+/* The surfaces of a row's blocks; of those that are all sky the position alone, and depth is all that is
+ * read. Returns whether any is not. */
+TL_INLINE int load_surfaces(const tl_frame *frame,
+                            tl_needs needs,
+                            uint words_there,
+                            __global const uchar *planes,
+                            tl_brdf_rows rows,
+                            block_row of,
+                            surface surfaces[MOST_BLOCKS_OF_ROW])
+{
+    const size_t plane_size = (size_t)frame->rows * frame->pitch;
+    const tl_layout layout = layout_of_build();
+    const real row = (scalar)(frame->first_row + of.row) + LANE_ROW;
+    int shows = 0;
+    for (uint b = 0; b < frame->tile_size / BLOCK_COLUMNS; b++) {
+        const size_t at = of.first + b * BLOCK_COLUMNS;
+        const real column = (scalar)(of.column + b * BLOCK_COLUMNS) + LANE_COLUMN;
+        const tl_words depths = load_some_words(&layout, depth_words(&layout), planes,
+                                                plane_size, at, frame->pitch);
+        surfaces[b].position = position_of(frame, needs, &layout, &depths, column, row);
+        if (!shows_surface(surfaces[b]))
+            continue;
+        const tl_words words =
+            load_some_words(&layout, words_there, planes, plane_size, at, frame->pitch);
+        surfaces[b] = unpacked_surface(frame, needs, &layout, &words, rows, column, row);
+        shows = 1;
+    }
+    return shows;
+}
+
+/* What a block with surfaces reflects and sends out. Its words are loaded anew after the lights: with them,
+ * their loops would have no registers left. (Where lobes are plain, nothing asks for f.) */
+TL_INLINE vec3 lit_block(const tl_frame *frame,
+                         tl_needs needs,
+                         uint words_there,
+                         __global const uchar *planes,
+                         tl_brdf_rows rows,
+                         tile_lights by,
+                         surface s,
+                         size_t at)
+{
+    const size_t plane_size = (size_t)frame->rows * frame->pitch;
+    const tl_layout layout = layout_of_build();
+    const tl_words before =
+        load_some_words(&layout, words_there, planes, plane_size, at, frame->pitch);
+    const pixel to_finish = pixel_of(needs, &layout, &before, -s.position.z);
+    const finish f =
+        finish_of(needs, s, substance_at(frame, needs, to_finish, rows));
+    const received sum = lit_by(frame, needs, s, f, by);
+    const tl_words words =
+        load_some_words(&layout, words_there, planes, plane_size, at, frame->pitch);
+    const pixel in = pixel_of(needs, &layout, &words, -s.position.z);
+    return radiance_of(frame, needs, in, substance_at(frame, needs, in, rows), sum);
+}
+
 /* needs: what the tile computes. Where they leave something out that the build has, that is a constant, and
  * the function compiled once more (cones), or a branch that is the same for all of the tile (lobes,
- * shapes). */
+ * shapes). Of the next tile's planes a row that is all sky asks for depth alone: there, too, it is as a
+ * rule. */
 TL_INLINE void shade_tile(const tl_frame *frame,
                           tl_needs needs,
                           uint tile,
@@ -197,7 +264,6 @@ TL_INLINE void shade_tile(const tl_frame *frame,
 {
     const uint column0 = tile % frame->tiles_x * frame->tile_size;
     const uint row0 = tile / frame->tiles_x * frame->tile_size;
-    const uint blocks = frame->tile_size / BLOCK_COLUMNS;
     const size_t plane_size = (size_t)frame->rows * frame->pitch;
     const tl_layout layout = layout_of_build();
     const uint words_there = words_read(&layout, needs);
@@ -205,37 +271,20 @@ TL_INLINE void shade_tile(const tl_frame *frame,
     surface surfaces[MOST_BLOCKS_OF_ROW];
 
     for (uint row = row0; row < row0 + frame->tile_size; row += BLOCK_ROWS) {
-        const size_t first = (size_t)(frame->buffer_row + row) * frame->pitch + column0;
-        ask_for_next_tile(&layout, words_there, planes, radiance, first, frame);
-        for (uint b = 0; b < blocks; b++) {
-            const uint column = column0 + b * BLOCK_COLUMNS;
-            const tl_words words = load_some_words(&layout, words_there, planes, plane_size,
-                                                   first + b * BLOCK_COLUMNS, frame->pitch);
-            surfaces[b] = unpacked_surface(frame, needs, &layout, &words, rows,
-                                           (scalar)column + LANE_COLUMN,
+        const block_row of = {(size_t)(frame->buffer_row + row) * frame->pitch + column0,
+                              column0, row};
+        const int shows =
+            load_surfaces(frame, needs, words_there, planes, rows, of, surfaces);
+        ask_for_next_tile(&layout, shows ? words_there : depth_words(&layout), planes, radiance,
+                          of.first, frame);
+        for (uint b = 0; b < frame->tile_size / BLOCK_COLUMNS; b++) {
+            const size_t at = of.first + b * BLOCK_COLUMNS;
+            vec3 lit = {frame->sky[0], frame->sky[1], frame->sky[2]};
+            if (shows_surface(surfaces[b]))
+                lit = lit_block(frame, needs, words_there, planes, rows, by, surfaces[b], at);
+            const vec3 out = seen_radiance(frame, needs, by.lights, -surfaces[b].position.z, lit,
+                                           (scalar)(column0 + b * BLOCK_COLUMNS) + LANE_COLUMN,
                                            (scalar)(frame->first_row + row) + LANE_ROW);
-        }
-        for (uint b = 0; b < blocks; b++) {
-            const size_t at = first + b * BLOCK_COLUMNS;
-            const surface s = surfaces[b];
-            received sum = nothing_received();
-            finish f;
-            if (!is_plain(needs)) {
-                const tl_words words =
-                    load_some_words(&layout, words_there, planes, plane_size, at, frame->pitch);
-                const pixel in = pixel_of(needs, &layout, &words, -s.position.z);
-                f = finish_of(needs, s, substance_at(frame, needs, in, rows));
-            }
-            if (any_lane(s.position.z > (real)-INFINITY))
-                sum = lit_by(frame, needs, s, f, by);
-            const tl_words words =
-                load_some_words(&layout, words_there, planes, plane_size, at, frame->pitch);
-            const pixel in = pixel_of(needs, &layout, &words, -s.position.z);
-            const vec3 out = seen_radiance(
-                frame, needs, by.lights, in.depth,
-                radiance_of(frame, needs, in, substance_at(frame, needs, in, rows), sum),
-                (scalar)(column0 + b * BLOCK_COLUMNS) + LANE_COLUMN,
-                (scalar)(frame->first_row + row) + LANE_ROW);
             store_block(out.x, radiance + at, frame->pitch);
             store_block(out.y, radiance + plane_size + at, frame->pitch);
             store_block(out.z, radiance + 2 * plane_size + at, frame->pitch);
