@@ -26,7 +26,7 @@ TL_INLINE reflection reflection_of(tl_needs needs, surface s, finish f, meeting 
                              lane_has(needs, f.model, TL_LOBE_COSINE));
 /* Lanes of other models are 0 where nothing plain was computed, and NaN nowhere. */
 #define TL_TAKE(which, lobe)                                            \
-    if (needs.models & (which)) {                                       \
+    if (uses_models(needs, which)) {                                    \
         const mask lanes = reflects_by_one_of(needs, f.model, (which)); \
         if (any_lane(lanes))                                            \
             r = pick_reflection(lanes, (lobe), r);                      \

@@ -166,10 +166,10 @@ lit_by(const tl_frame *frame, tl_needs needs, surface s, finish f, tile_lights b
     /* Together, but for those that have shapes. */
     for (uint i = by.start, together = LIGHTS_AT_ONCE; i < by.end; i += together) {
         const uint left = min(by.end - i, (uint)LIGHTS_AT_ONCE);
-        if (needs.shapes != 0)
+        if (has_shapes(needs))
             together = count_without_shapes(by.lights, by.list + i, left);
         const uint count = min(left, together);
-        if (together == 0) {
+        if (has_shapes(needs) && together == 0) {
             const uint one = by.list[i];
             together = 1;
             sum = add_any_light(sum, frame, needs, by.lights, s, f, by.lights[one],
@@ -300,16 +300,14 @@ TL_INLINE void shade_as_called(const tl_frame *frame,
                                __global float *radiance)
 {
     tl_needs needs = needs_of_build();
-    if (!needs.choices) {
-        shade_tile(frame, needs, tile, planes, by, radiance);
-        return;
-    }
-    const uint called = calls_of_tile(frame, by.lights, by.list, by.start, by.end);
-    if (needs.choices & TL_CHOICE_LOBES)
+    uint called = 0;
+    if (TL_CHOICES)
+        called = calls_of_tile(frame, by.lights, by.list, by.start, by.end);
+    if (TL_CHOICES & TL_CHOICE_LOBES)
         needs.specular = (called & TL_CHOICE_LOBES) != 0;
-    if ((needs.choices & TL_CHOICE_SHAPES) && !(called & TL_CHOICE_SHAPES))
+    if ((TL_CHOICES & TL_CHOICE_SHAPES) && !(called & TL_CHOICE_SHAPES))
         needs.shapes = 0;
-    if ((needs.choices & TL_CHOICE_CONES) && !(called & TL_CHOICE_CONES)) {
+    if ((TL_CHOICES & TL_CHOICE_CONES) && !(called & TL_CHOICE_CONES)) {
         tl_needs without_cones = needs;
         without_cones.spots = 0;
         shade_tile(frame, without_cones, tile, planes, by, radiance);

@@ -113,7 +113,7 @@ TL_INLINE received add_any_light(received sum,
                                  tl_view_spot spot,
                                  int is_global)
 {
-    if (needs.shapes != 0 && has_shape(light.falloff))
+    if (has_shapes(needs) && has_shape(light.falloff))
         return add_shaped_light(sum, needs, lights, shape_of(lights, frame->shapes_at, light),
                                 s, f, light, spot, is_global);
     if (is_global)

@@ -63,7 +63,7 @@ TL_INLINE vec3 seen_radiance(const tl_frame *frame,
                              real row)
 {
     const mask is_sky = depth >= (real)INFINITY;
-    if (needs.sky == 0 || !any_lane(is_sky))
+    if (!paints_sky(needs) || !any_lane(is_sky))
         return lit;
     return pick3(is_sky, sky_radiance(frame, needs, lights, column, row), lit);
 }
