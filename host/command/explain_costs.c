@@ -14,7 +14,7 @@ static tl_status shade(const job *j,
                        double *ms,
                        tl_error *err)
 {
-    return tl_lighting_shade_without(lighting, j->gbuffer, &j->lights, without, image, ms, err);
+    return tl_lighting_shade_without(lighting, j->gbuffer, without, image, ms, err);
 }
 
 /* By turns, after once each, for which kernels are built. ms[0] with the effect, ms[1] without. */

@@ -293,16 +293,16 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
     close_up(prepared);
     TRY(tl_shapes_add(&gbuffer->camera, lights, prepared, err));
     TRY(tl_sky_add(&gbuffer->camera, lights, prepared, err));
-    prepared->needs = tl_needs_of_causes(&prepared->explanation, gbuffer, &table);
+    prepared->needs = tl_needs_of_surfaces(gbuffer, &table);
+    tl_needs_by_causes(&prepared->explanation, &prepared->needs);
     if (has_one_color(prepared)) {
         prepared->explanation.causes |= TL_BY(TL_CAUSE_ONE_COLOR);
-        prepared->needs = tl_needs_of_causes(&prepared->explanation, gbuffer, &table);
+        tl_needs_by_causes(&prepared->explanation, &prepared->needs);
     }
     if (reads_planes(prepared->needs, TL_GROUP_BRDF))
         TRY(add_rows(prepared, &table, err));
     name_empty_cones(lights, notices);
     tell_of_rows(gbuffer, lights, &table, notices);
-    prepared->needs.choices = 0;
     if (options->effects != TL_EFFECTS_ALL)
         TRY(tl_choices_open(prepared, err));
     /* Sections may have moved while others were added. */

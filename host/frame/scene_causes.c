@@ -190,32 +190,34 @@ static tl_u32 model_of(const tl_brdf_table *table)
     return table->rows[0].model;
 }
 
-tl_needs tl_needs_of_causes(tl_explanation *e,
-                            const tl_gbuffer *gbuffer,
-                            const tl_brdf_table *table)
+tl_needs tl_needs_of_surfaces(const tl_gbuffer *gbuffer, const tl_brdf_table *table)
+{
+    return (tl_needs){.present = gbuffer->present,
+                      .layout = gbuffer->layout,
+                      .model = model_of(table),
+                      .models = table->models};
+}
+
+void tl_needs_by_causes(tl_explanation *e, tl_needs *needs)
 {
     e->effects = tl_effects_of(e->causes | e->assumed) & ~e->without;
     e->idle = idle_planes(e);
-    tl_needs needs = {.present = gbuffer->present,
-                      .layout = gbuffer->layout,
-                      .model = model_of(table),
-                      .models = table->models,
-                      .orthographic = (tl_u32)is_on(e, TL_EFFECT_PARALLEL),
-                      .specular = (tl_u32)is_on(e, TL_EFFECT_SPECULAR),
-                      .spots = (tl_u32)is_on(e, TL_EFFECT_SPOTS),
-                      .one_color = (tl_u32)is_on(e, TL_EFFECT_ONE_COLOR),
-                      .ambient = (tl_u32)is_on(e, TL_EFFECT_AMBIENT),
-                      .fixed_exponent = (tl_u32)is_on(e, TL_EFFECT_EXPONENT),
-                      .idle = e->idle};
-    needs.shapes = (is_on(e, TL_EFFECT_TABLE) ? TL_SHAPE_TABLE : 0) |
-                   (is_on(e, TL_EFFECT_PROJECTED) ? TL_SHAPE_PROJECTED : 0) |
-                   (is_on(e, TL_EFFECT_AROUND) ? TL_SHAPE_AROUND : 0) |
-                   (is_on(e, TL_EFFECT_AMBIENT_LOBE) ? TL_SHAPE_AMBIENT : 0);
-    needs.sky = is_on(e, TL_EFFECT_SKY_GRADIENT) ? TL_GRADIENT_SKY
-                : is_on(e, TL_EFFECT_SKY_IMAGE)  ? TL_IMAGE_SKY
-                                                 : 0;
+    needs->idle = e->idle;
+    needs->orthographic = (tl_u32)is_on(e, TL_EFFECT_PARALLEL);
+    needs->specular = (tl_u32)is_on(e, TL_EFFECT_SPECULAR);
+    needs->spots = (tl_u32)is_on(e, TL_EFFECT_SPOTS);
+    needs->one_color = (tl_u32)is_on(e, TL_EFFECT_ONE_COLOR);
+    needs->ambient = (tl_u32)is_on(e, TL_EFFECT_AMBIENT);
+    needs->fixed_exponent = (tl_u32)is_on(e, TL_EFFECT_EXPONENT);
+    needs->shapes = (is_on(e, TL_EFFECT_TABLE) ? TL_SHAPE_TABLE : 0) |
+                    (is_on(e, TL_EFFECT_PROJECTED) ? TL_SHAPE_PROJECTED : 0) |
+                    (is_on(e, TL_EFFECT_AROUND) ? TL_SHAPE_AROUND : 0) |
+                    (is_on(e, TL_EFFECT_AMBIENT_LOBE) ? TL_SHAPE_AMBIENT : 0);
+    needs->sky = is_on(e, TL_EFFECT_SKY_GRADIENT) ? TL_GRADIENT_SKY
+                 : is_on(e, TL_EFFECT_SKY_IMAGE)  ? TL_IMAGE_SKY
+                                                  : 0;
+    needs->falloffs = 0;
     for (int row = 0; row < TL_FADE_COUNT; row++)
         if (is_on(e, falloff_effects[row]))
-            needs.falloffs |= 1u << row;
-    return needs;
+            needs->falloffs |= 1u << row;
 }

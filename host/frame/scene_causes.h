@@ -32,10 +32,11 @@ void tl_causes_of_light(tl_explanation *explanation,
                         uint32_t index,
                         int is_global);
 
-/* What kernels are built for: the switches of effects, by the table, once all causes are there. Decides
- * explanation->effects and ->idle. */
-tl_needs tl_needs_of_causes(tl_explanation *explanation,
-                            const tl_gbuffer *gbuffer,
-                            const tl_brdf_table *table);
+/* What kernels are built for by planes, layout and models; no effect is switched on. */
+tl_needs tl_needs_of_surfaces(const tl_gbuffer *gbuffer, const tl_brdf_table *table);
+
+/* Sets the switches of effects, by the table, once all causes are there. Decides explanation->effects and
+ * ->idle. */
+void tl_needs_by_causes(tl_explanation *explanation, tl_needs *needs);
 
 #endif

@@ -5,11 +5,12 @@
 
 #include "prepared.h"
 
-/* What a light as kernels take it calls for, bits of tl_choice. */
-tl_u32 tl_calls_of_light(const tl_view_light *light, const tl_view_spot *cone);
+/* Bits of tl_choice: of the effects that are on those that tiles can do without. */
+tl_u32 tl_choosable(const tl_needs *needs);
 
 /* Opens the choices that some lights call for and others do not, among the effects that are on: sets
- * needs.choices, and frame.calls_at where there is one. To be called once lights and effects are decided.
+ * needs.choices and frame.calls_at, which stay 0 where there is none. To be called once lights and effects
+ * are decided.
  * Fails as tl_section_add does. */
 tl_status tl_choices_open(tl_prepared *prepared, tl_error *err);
 

@@ -1,7 +1,7 @@
 /* The frame that was lit last, shaded once more: without some effects, or tile by tile under a clock. */
-#include "choices.h"
 #include "lighting_state.h"
 #include "scene_causes.h"
+#include "tile_choices.h"
 #include "try.h"
 
 #include <string.h>
@@ -45,27 +45,18 @@ static tl_status need_device(const tl_lighting *lighting, tl_error *err)
 }
 
 /* The frame's needs less some effects. */
-static tl_needs needs_without(const tl_lighting *lighting,
-                              const tl_gbuffer *gbuffer,
-                              const tl_light_set *lights,
-                              uint32_t effects)
+static tl_needs needs_without(const tl_prepared *prepared, uint32_t effects)
 {
-    const tl_needs *all = &lighting->prepared.needs;
-    tl_explanation explanation = lighting->prepared.explanation;
+    tl_explanation explanation = prepared->explanation;
+    tl_needs needs = prepared->needs;
     explanation.without = effects;
-    tl_brdf_table table;
-    tl_error unlikely; /* the frame has been lit */
-    if (tl_brdf_table_make(gbuffer, lights, &table, &unlikely) != TL_OK)
-        return *all;
-    tl_needs needs = tl_needs_of_causes(&explanation, gbuffer, &table);
-    needs.choices = all->choices & ~((needs.spots ? 0 : (tl_u32)TL_CHOICE_CONES) |
-                                     (needs.specular ? 0 : (tl_u32)TL_CHOICE_LOBES));
+    tl_needs_by_causes(&explanation, &needs);
+    needs.choices &= tl_choosable(&needs);
     return needs;
 }
 
 tl_status tl_lighting_shade_without(tl_lighting *lighting,
                                     const tl_gbuffer *gbuffer,
-                                    const tl_light_set *lights,
                                     uint32_t effects,
                                     tl_image *image,
                                     double *ms,
@@ -74,8 +65,7 @@ tl_status tl_lighting_shade_without(tl_lighting *lighting,
     const tl_status status = need_device(lighting, err);
     if (status != TL_OK)
         return status;
-    const tl_needs needs =
-        effects ? needs_without(lighting, gbuffer, lights, effects) : lighting->prepared.needs;
+    const tl_needs needs = needs_without(&lighting->prepared, effects);
     const tl_kernel_options kernels = tl_lighting_kernels(lighting, &needs);
     return shade_again(lighting, &kernels, effects, gbuffer, image, ms, err);
 }

@@ -164,7 +164,8 @@ void tl_lighting_destroy(tl_lighting *lighting);
  * has not needed before; allocates only where a frame is larger, or has more lights, than every
  * one before. A frame that does not fit memory_limit is lit in bands of tile rows, with the
  * same bits. timings, notices, counts may be NULL. Fails with TL_ERR_ARGUMENT (sizes differ;
- * one row of tiles is beyond memory_limit), TL_ERR_DEVICE or TL_ERR_MEMORY. */
+ * one row of tiles is beyond memory_limit), TL_ERR_FORMAT (a row of materials leads nowhere, an
+ * index has none; a user's kernel does not compile), TL_ERR_DEVICE or TL_ERR_MEMORY. */
 tl_status tl_lighting_run(tl_lighting *lighting,
                           const tl_gbuffer *gbuffer,
                           const tl_light_set *lights,
@@ -184,10 +185,10 @@ const uint32_t *tl_lighting_tile_lights(const tl_lighting *lighting);
 
 /* What of the last frame called for effects, tile by tile: kept as the number of lights is. */
 typedef struct tl_effect_use {
-    const uint32_t *
-        tiles; /* [tiles_y][tiles_x]: effects that listed lights call for, bits 1 << tl_effect */
-    uint64_t
-        pairs[TL_EFFECT_COUNT]; /* of a tile and a listed light that calls for the effect */
+    /* [tiles_y][tiles_x]: effects that listed lights call for, bits 1 << tl_effect */
+    const uint32_t *tiles;
+    /* of a tile and a listed light that calls for the effect */
+    uint64_t pairs[TL_EFFECT_COUNT];
     uint32_t global_lights[TL_EFFECT_COUNT]; /* that reach everything, and call for it */
 } tl_effect_use;
 
@@ -196,12 +197,11 @@ const tl_effect_use *tl_lighting_effect_use(const tl_lighting *lighting);
 
 /* Shades the last frame once more, from the lists that are there, by kernels that lack some of its effects
  * (bits 1 << tl_effect): *ms is the device's time for that. *image, of the frame's size, becomes what they
- * give, another picture where the frame has such an effect. gbuffer, lights: those of the last frame. Fails
- * with TL_ERR_UNSUPPORTED on the CPU paths and where the frame was lit in bands, TL_ERR_DEVICE or
+ * give, another picture where the frame has such an effect. gbuffer: that of the last frame. Fails with
+ * TL_ERR_UNSUPPORTED on the CPU paths and where the frame was lit in bands, TL_ERR_DEVICE or
  * TL_ERR_MEMORY. */
 tl_status tl_lighting_shade_without(tl_lighting *lighting,
                                     const tl_gbuffer *gbuffer,
-                                    const tl_light_set *lights,
                                     uint32_t effects,
                                     tl_image *image,
                                     double *ms,
