@@ -273,10 +273,12 @@ tl_status tl_unused_effect_make(int index,
     const uint32_t present = TL_GROUP_BASE | (traits & GLOSS ? TL_GROUP_PHONG : 0);
     tl_status status = TL_OK;
     TRY(make(traits, present, 0, width, height, without, err));
-    with->gbuffer = without->gbuffer;
-    with->borrows = more == 0;
-    if (more)
+    if (more) {
         TRY(make_surfaces(traits, present | more, more, width, height, &with->gbuffer, err));
+    } else {
+        with->gbuffer = without->gbuffer;
+        with->borrows = 1;
+    }
     TRY(copy_lights(&without->lights, &with->lights, err));
     TRY(add_unused(pairs[index].more, &with->lights, err));
 done:
