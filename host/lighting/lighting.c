@@ -197,7 +197,7 @@ void tl_lighting_build_options(const tl_lighting *lighting, char *text, size_t s
 {
     const tl_program *program = NULL;
     text[0] = '\0';
-    if (precisions[lighting->options.precision].on_host || !lighting->prepared.lights)
+    if (tl_lighting_is_on_host(lighting) || !lighting->prepared.lights)
         return;
     const tl_kernel_options kernels = tl_lighting_kernels(lighting, &lighting->prepared.needs);
     char *options = NULL;
@@ -262,7 +262,8 @@ static tl_status reserve(uint32_t **array, size_t count, tl_error *err)
 static tl_status reserve_kept(tl_lighting *lighting, size_t tiles, size_t lights, tl_error *err)
 {
     tl_status status = TL_OK;
-    if (tiles > lighting->tile_capacity || !lighting->tile_lights) {
+    if (tiles > lighting->tile_capacity) {
+        lighting->tile_capacity = 0;
         TRY(reserve(&lighting->tile_lights, tiles, err));
         TRY(reserve(&lighting->tile_effects, tiles, err));
         lighting->tile_capacity = tiles;
@@ -282,7 +283,7 @@ static tl_status keep_tiles(tl_lighting *lighting,
 {
     const tl_prepared *prepared = &lighting->prepared;
     const tl_explanation *explanation = &prepared->explanation;
-    const int has_lists = !precisions[lighting->options.precision].on_host;
+    const int has_lists = !tl_lighting_is_on_host(lighting);
     tl_effect_use *use = &lighting->use;
     uint32_t all = 0;
     tl_status status = TL_OK;
@@ -339,7 +340,7 @@ tl_status tl_lighting_run(tl_lighting *lighting,
     clock = tl_timings_end(timings, "prepare", clock);
     frame_counts = counts_of(&lighting->prepared);
     TRY(keep_tiles(lighting, &frame_counts, err));
-    if (precisions[options->precision].on_host) {
+    if (tl_lighting_is_on_host(lighting)) {
         tl_reference_light(&lighting->prepared, gbuffer,
                            precisions[options->precision].arithmetic, image);
         tl_timings_end(timings, "shade", clock);
