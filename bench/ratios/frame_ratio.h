@@ -14,9 +14,9 @@ typedef struct tl_frame_side {
 
 typedef struct tl_frame_ratio {
     tl_summary ratio; /* of the frames' wall times, second over first, pair by pair */
-    tl_summary
-        processor_ratio;    /* the same of processor time, which what else runs changes less */
-    tl_summary frame_ms[2]; /* tl_lighting_run, wall time */
+    /* the same of processor time, which what else runs changes less */
+    tl_summary processor_ratio;
+    tl_summary frame_ms[2];     /* tl_lighting_run, wall time */
     tl_summary processor_ms[2]; /* processor time that the process took for it */
     tl_summary shade_ms[2];     /* of that, the kernel, from profiling events */
     tl_lighting_counts counts[2];

@@ -13,13 +13,13 @@ enum { TL_BRDF_COUNT = TL_MAX_MATERIALS + 1 };
 
 /* By the index of a pixel. */
 typedef struct tl_brdf_table {
-    tl_brdf rows
-        [TL_BRDF_COUNT]; /* those without a row of the set have its model, and give nothing */
+    /* those without a row of the set have its model, and give nothing */
+    tl_brdf rows[TL_BRDF_COUNT];
     int sources[TL_BRDF_COUNT]; /* rows of the set; -1: none */
-    bool occurs
-        [TL_BRDF_COUNT]; /* whether a surface has it; all that have a row where it is not known */
-    bool selects;        /* an index that occurs has a row */
-    uint32_t models;     /* of indices that occur: bits 1 << model */
+    /* whether a surface has it; all that have a row where it is not known */
+    bool occurs[TL_BRDF_COUNT];
+    bool selects;    /* an index that occurs has a row */
+    uint32_t models; /* of indices that occur: bits 1 << model */
 } tl_brdf_table;
 
 /* Fails with TL_ERR_FORMAT, naming the row and the material, for a name that the capture does not have, two

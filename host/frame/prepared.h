@@ -15,19 +15,19 @@ typedef struct tl_prepared {
     tl_frame frame;
     tl_needs needs;
     tl_view_light *lights; /* [frame.light_count]; owned */
-    tl_view_spot *
-        spots; /* [frame.light_count], behind the lights in their memory; sections behind them */
+    /* [frame.light_count], behind the lights in their memory; sections behind them */
+    tl_view_spot *spots;
     uint32_t *sources;      /* [frame.light_count], of each its index in the light set; owned */
     uint32_t *light_causes; /* [frame.light_count], of each the causes that it is; owned */
-    size_t capacity;        /* lights that there is room for in both */
+    size_t capacity;        /* lights that there is room for in all of these */
     size_t memory_size;     /* bytes at `lights` */
     size_t sections_size;   /* bytes of the sections behind the cones: sections.h */
     /* [images of the set], row of each that is in a section, else 0; owned */
     tl_u32 *images_at;
     size_t image_capacity;
     uint32_t two_colored_count; /* lights that add something, with lobes of different colours */
-    const tl_brdf
-        *rows; /* of frame.brdfs_at, by the index of a pixel; NULL where the frame has none */
+    /* of frame.brdfs_at, by the index of a pixel; NULL where the frame has none */
+    const tl_brdf *rows;
     tl_explanation explanation; /* where `needs` comes from */
 } tl_prepared;
 
@@ -40,7 +40,8 @@ typedef struct tl_prepare_options {
 
 /* Fills *prepared, growing its lights where they do not fit; all zero is a valid start. Lights that add
  * exactly nothing are not among them (explanation.idle_lights), unless all effects are asked for. Names
- * spots that light nothing in a notice. Fails with TL_ERR_ARGUMENT (more than 2^31 lights) or
+ * spots that light nothing, and materials that are for nothing, in a notice. Fails as tl_brdf_table_make
+ * does, with TL_ERR_ARGUMENT (more than 2^31 lights, or sections that rows do not count) or
  * TL_ERR_MEMORY. */
 tl_status tl_prepare(const tl_gbuffer *gbuffer,
                      const tl_light_set *lights,

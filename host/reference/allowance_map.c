@@ -1,7 +1,7 @@
-/* Between samples a picture, a table and a gradient are linear along each axis. So over an interval of places
- * they are extreme at its ends or at samples between them, whatever the samples are: each is looked at. Beside
- * that they are off by rounding, in proportion to the largest sample that is touched. u and the manner are
- * those of allowance.c. */
+/* Between samples a picture, a table and a gradient are linear along each axis. So over an interval of
+ * places they are extreme at its ends or at samples between them, whatever the samples are: each is looked
+ * at. Beside that they are off by rounding, in proportion to the largest sample that is touched. u and the
+ * manner are those of allowance.c. */
 #include "allowance_map.h"
 
 #include "sections.h"
@@ -132,7 +132,8 @@ static double turned(double moved, double length)
     return moved < length ? asin(moved / length) / (2.0 * pi) : 0.5;
 }
 
-/* kernels/texture.h's longitude_of is off by 2u; a library's arc tangent and a product are no more than 4u. */
+/* kernels/texture.h's longitude_of is off by 2u; a library's arc tangent and a product are no more than
+ * 4u. */
 static const double turn_error = 4.0; /* u */
 
 static void around_axes(const tl_view_map *map, vec3 d, double moved, axis *x, axis *y)

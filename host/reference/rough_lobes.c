@@ -283,9 +283,8 @@ static rough_reflection cook_torrance(
 }
 
 /* What the direction of the lobe adds to sin^2/wide^2: the square of p.sharp, p the part of h across n over
- * |h|. p moves as h turns; the axis by its own rotation, 3u in each number, and by what n does to it, more the
- * nearer it is to n. The difference of
- * 1/ax^2 and 1/ay^2 is off by 20u of the larger. */
+ * |h|. p moves as h turns; the axis by its own rotation, 3u in each number, and by what n does to it, more
+ * the nearer it is to n. The difference of 1/ax^2 and 1/ay^2 is off by 20u of the larger. */
 static interval along_of(const rough_surface *s, const rough_half *a)
 {
     const substance *m = &s->made;

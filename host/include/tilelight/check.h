@@ -31,7 +31,8 @@ typedef struct tl_check tl_check;
 /* gbuffer (repaired) and lights are borrowed while *out lives. Of a packed G-buffer the frame is what
  * tl_gbuffer_unpack makes of it, in which every position is on its pixel's ray: that is what pictures have
  * to be lit from, as they are by a user's kernel. light_cutoff as in tl_lighting_options. The caller
- * releases *out with tl_check_destroy. Fails with TL_ERR_ARGUMENT or TL_ERR_MEMORY. */
+ * releases *out with tl_check_destroy. Fails with TL_ERR_ARGUMENT, TL_ERR_FORMAT (a row of
+ * materials leads nowhere, an index has none) or TL_ERR_MEMORY. */
 tl_status tl_check_create(const tl_gbuffer *gbuffer,
                           const tl_light_set *lights,
                           float light_cutoff,
