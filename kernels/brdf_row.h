@@ -7,41 +7,12 @@
 #include "substance.h"
 
 /* A row for each index, 0 to 255; that of 0 has the frame's model and gives nothing. */
-#ifdef __OPENCL_C_VERSION__
-typedef __global const tl_brdf *tl_brdf_rows;
+typedef TL_GLOBAL const tl_brdf *tl_brdf_rows;
 
-TL_INLINE tl_brdf_rows rows_behind(const tl_frame *frame, __global const tl_view_light *lights)
+TL_INLINE tl_brdf_rows rows_behind(const tl_frame *frame, TL_GLOBAL const tl_view_light *lights)
 {
-    return (tl_brdf_rows)((__global const uchar *)lights +
-                          (size_t)frame->brdfs_at * TL_SECTION_ROW);
+    return (tl_brdf_rows)((tl_numbers)lights + (size_t)frame->brdfs_at * (TL_SECTION_ROW / 4));
 }
-#else
-typedef const tl_brdf *tl_brdf_rows;
-#endif
-
-/* F(a, index) for each lane's index; that of the first; whether some have another. */
-#if !defined(__OPENCL_C_VERSION__) || TL_WIDTH == 1
-#    define EACH_LANE(F, a, i) F(a, i)
-#    define FIRST_LANE(i) (i)
-#    define LANES_DIFFER(i) 0
-#elif TL_WIDTH == 4
-#    define EACH_LANE(F, a, i) F(a, (i).s0), F(a, (i).s1), F(a, (i).s2), F(a, (i).s3)
-#    define FIRST_LANE(i) ((i).s0)
-#    define LANES_DIFFER(i) any_lane((i) != (integer)(i).s0)
-#elif TL_WIDTH == 8
-#    define EACH_LANE(F, a, i)                                                              \
-        F(a, (i).s0), F(a, (i).s1), F(a, (i).s2), F(a, (i).s3), F(a, (i).s4), F(a, (i).s5), \
-            F(a, (i).s6), F(a, (i).s7)
-#    define FIRST_LANE(i) ((i).s0)
-#    define LANES_DIFFER(i) any_lane((i) != (integer)(i).s0)
-#else
-#    define EACH_LANE(F, a, i)                                                              \
-        F(a, (i).s0), F(a, (i).s1), F(a, (i).s2), F(a, (i).s3), F(a, (i).s4), F(a, (i).s5), \
-            F(a, (i).s6), F(a, (i).s7), F(a, (i).s8), F(a, (i).s9), F(a, (i).sa),           \
-            F(a, (i).sb), F(a, (i).sc), F(a, (i).sd), F(a, (i).se), F(a, (i).sf)
-#    define FIRST_LANE(i) ((i).s0)
-#    define LANES_DIFFER(i) any_lane((i) != (integer)(i).s0)
-#endif
 
 /* A row as lanes have it. What no model in use takes is not there. */
 typedef struct brdf_lanes {
@@ -180,7 +151,7 @@ TL_INLINE substance substance_at(const tl_frame *frame,
     substance m = substance_of(frame, needs, of);
     if (reads_planes(needs, TL_GROUP_BRDF)) {
         const integer index = TO_INTEGER(of.brdf) & (integer)TL_MAX_MATERIALS;
-        if (LANES_DIFFER(index))
+        if (any_lane(index != (integer)FIRST_LANE(index)))
             m = with_row(frame, needs, m, gathered_rows(needs, rows, index));
         else
             m = with_row(frame, needs, m, common_row(rows, (tl_u32)FIRST_LANE(index)));

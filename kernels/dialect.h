@@ -78,22 +78,38 @@ typedef TL_LANES(uint) word32;
 #    define WORD_AS_REAL(w) TO_REAL(TL_PASTE(as_, TL_LANES(float))(w))
 #    define WORD_TO_REAL(w) TO_REAL(WORD_AS_INT(w))
 
-/* FOLD(HALVES, v) combines the lanes of v to one, as a tree; HALVES(v) joins v.lo and v.hi. */
+/* FOLD(HALVES, v) combines the lanes of v to one, as a tree; HALVES(v) joins v.lo and v.hi.
+ * EACH_LANE(F, a, i) is F(a, lane) for each lane of i, with commas between. */
 #    if TL_WIDTH == 16
 #        define FOLD(HALVES, v) HALVES(HALVES(HALVES(HALVES(v))))
 #        define LANE_INDEX ((real)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
+#        define FIRST_LANE(i) ((i).s0)
+#        define EACH_LANE(F, a, i) \
+            F(a, (i).s0), F(a, (i).s1), F(a, (i).s2), F(a, (i).s3), F(a, (i).s4), \
+            F(a, (i).s5), F(a, (i).s6), F(a, (i).s7), F(a, (i).s8), F(a, (i).s9), \
+            F(a, (i).sa), F(a, (i).sb), F(a, (i).sc), F(a, (i).sd), F(a, (i).se), \
+            F(a, (i).sf)
 typedef integer mask;
 #    elif TL_WIDTH == 8
 #        define FOLD(HALVES, v) HALVES(HALVES(HALVES(v)))
 #        define LANE_INDEX ((real)(0, 1, 2, 3, 4, 5, 6, 7))
+#        define FIRST_LANE(i) ((i).s0)
+#        define EACH_LANE(F, a, i) \
+            F(a, (i).s0), F(a, (i).s1), F(a, (i).s2), F(a, (i).s3), \
+            F(a, (i).s4), F(a, (i).s5), F(a, (i).s6), F(a, (i).s7)
 typedef integer mask;
 #    elif TL_WIDTH == 4
 #        define FOLD(HALVES, v) HALVES(HALVES(v))
 #        define LANE_INDEX ((real)(0, 1, 2, 3))
+#        define FIRST_LANE(i) ((i).s0)
+#        define EACH_LANE(F, a, i) \
+            F(a, (i).s0), F(a, (i).s1), F(a, (i).s2), F(a, (i).s3)
 typedef integer mask;
 #    else
 #        define FOLD(HALVES, v) (v)
 #        define LANE_INDEX ((real)0)
+#        define FIRST_LANE(i) (i)
+#        define EACH_LANE(F, a, i) F(a, i)
 typedef int mask;
 #    endif
 
@@ -121,25 +137,8 @@ TL_INLINE int any_lane(mask which)
 /* Numbers in memory that are looked up: from[at], lane by lane. */
 #    define TL_GLOBAL __global
 typedef TL_GLOBAL const float *tl_numbers;
-#    if TL_WIDTH == 16
-#        define GATHER(from, i)                                                 \
-            TO_REAL((TL_LANES(float))(                                          \
-                (from)[(i).s0], (from)[(i).s1], (from)[(i).s2], (from)[(i).s3], \
-                (from)[(i).s4], (from)[(i).s5], (from)[(i).s6], (from)[(i).s7], \
-                (from)[(i).s8], (from)[(i).s9], (from)[(i).sa], (from)[(i).sb], \
-                (from)[(i).sc], (from)[(i).sd], (from)[(i).se], (from)[(i).sf]))
-#    elif TL_WIDTH == 8
-#        define GATHER(from, i)                                                       \
-            TO_REAL((TL_LANES(float))((from)[(i).s0], (from)[(i).s1], (from)[(i).s2], \
-                                      (from)[(i).s3], (from)[(i).s4], (from)[(i).s5], \
-                                      (from)[(i).s6], (from)[(i).s7]))
-#    elif TL_WIDTH == 4
-#        define GATHER(from, i)                                                       \
-            TO_REAL((TL_LANES(float))((from)[(i).s0], (from)[(i).s1], (from)[(i).s2], \
-                                      (from)[(i).s3]))
-#    else
-#        define GATHER(from, i) ((real)(from)[i])
-#    endif
+#    define NUMBER_AT(from, i) (from)[i]
+#    define GATHER(from, i) TO_REAL((TL_LANES(float))(EACH_LANE(NUMBER_AT, from, i)))
 
 /* From and to memory of any alignment: vloadN asks for none, a cast pointer would. LOAD widens
  * floats where real is double. */
@@ -220,6 +219,8 @@ TL_INLINE word32 REAL_AS_WORD(real x)
 #    define TL_GLOBAL
 typedef TL_GLOBAL const float *tl_numbers;
 #    define GATHER(from, i) ((real)(from)[i])
+#    define FIRST_LANE(i) (i)
+#    define EACH_LANE(F, a, i) F(a, i)
 
 TL_INLINE integer AS_INTEGER(real x)
 {

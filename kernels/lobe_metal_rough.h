@@ -15,10 +15,9 @@
  * In D the denominator is taken as alpha^2 cos^2 + sin^2 (specular.h): a sum, so that it is as accurate at
  * the peak of a mirror, where the form above cancels, and both are left times |h|^2, so that D and V take one
  * quotient. Off by 20u + 100u^2/alpha^2 of itself for exact h: the second term is the length of n, 50u^2 of
- * sin^2. F90 is 1 from F0 = 0.02 on and falls to 0 with F0, for no
- * substance reflects less, but a material may (Lagarde and de Rousiers, "Moving Frostbite to PBR", SIGGRAPH
- * 2014, section 3.1.3): so a surface without a specular colour has no highlights at grazing angles either,
- * and an unlit one reflects nothing. */
+ * sin^2. F90 is 1 from F0 = 0.02 on and falls to 0 with F0, for no substance reflects less, but a material
+ * may (Lagarde and de Rousiers, "Moving Frostbite to PBR", SIGGRAPH 2014, section 3.1.3): so a surface
+ * without a specular colour has no highlights at grazing angles either, and an unlit one reflects nothing. */
 #ifndef TL_LOBE_METAL_ROUGH_H
 #define TL_LOBE_METAL_ROUGH_H
 

@@ -164,22 +164,21 @@ lit_by(const tl_frame *frame, tl_needs needs, surface s, finish f, tile_lights b
         sum = add_any_light(sum, frame, needs, by.lights, s, f, by.lights[i],
                             spot_of(needs, by.lights, frame->light_count, i), 1);
     /* Together, but for those that have shapes. */
-    for (uint i = by.start, together = LIGHTS_AT_ONCE; i < by.end; i += together) {
-        const uint left = min(by.end - i, (uint)LIGHTS_AT_ONCE);
+    for (uint i = by.start, count; i < by.end; i += count) {
+        count = min(by.end - i, (uint)LIGHTS_AT_ONCE);
         if (has_shapes(needs))
-            together = count_without_shapes(by.lights, by.list + i, left);
-        const uint count = min(left, together);
-        if (has_shapes(needs) && together == 0) {
+            count = count_without_shapes(by.lights, by.list + i, count);
+        if (has_shapes(needs) && count == 0) {
             const uint one = by.list[i];
-            together = 1;
+            count = 1;
             sum = add_any_light(sum, frame, needs, by.lights, s, f, by.lights[one],
                                 spot_of(needs, by.lights, frame->light_count, one), 0);
+        } else if (is_plain(needs)) {
+            sum = add_listed_lights(sum, needs, s, by.lights, frame->light_count, by.list + i,
+                                    count);
         } else {
-            sum = is_plain(needs)
-                      ? add_listed_lights(sum, needs, s, by.lights, frame->light_count,
-                                          by.list + i, count)
-                      : add_reflected_lights(sum, needs, s, f, by.lights, frame->light_count,
-                                             by.list + i, count);
+            sum = add_reflected_lights(sum, needs, s, f, by.lights, frame->light_count,
+                                       by.list + i, count);
         }
     }
     return sum;
