@@ -1,5 +1,5 @@
-/* Does a capture with materials say of each pixel which one it has, and which way its tangent points, in every
- * layout that has a place for it; and one without them nothing? */
+/* Does a capture with materials say of each pixel which one it has, and which way its tangent points, in
+ * every layout that has a place for it; and one without them nothing? */
 #include "gltf_textures.h"
 
 #include "tilelight/layouts.h"

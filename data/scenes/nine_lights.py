@@ -111,7 +111,7 @@ def lights():
     return (text % lines).encode()
 
 
-# A model for each body, and white light to tell them apart by.
+# A model for each body (two are brushed), and white light to tell them apart by.
 MODELS = (
     ("floor", "ward-anisotropic", dict(diffuse=(0.16, 0.17, 0.19), specular=(0.5, 0.5, 0.52),
                                        roughness=0.35, roughnessAcross=0.75, direction=(1, 0, 0))),

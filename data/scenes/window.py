@@ -39,13 +39,14 @@ def lantern(x, y):
 
 
 def lights():
-    window_spot = {"type": "spot", "name": "window", "position": [-5, 8.5, -6], "direction": [0.55, -0.7, -0.2],
-                   "color": [1, 0.96, 0.88], "intensity": 900, "range": 30, "innerConeAngle": 0.44,
-                   "outerConeAngle": 0.45, "texture": "window.png"}
+    window_spot = {"type": "spot", "name": "window", "position": [-5, 8.5, -6],
+                   "direction": [0.55, -0.7, -0.2], "color": [1, 0.96, 0.88], "intensity": 900, "range": 30,
+                   "innerConeAngle": 0.44, "outerConeAngle": 0.45, "texture": "window.png"}
     lamp = {"type": "point", "name": "lantern", "position": [1.2, 1.6, -13.5], "color": [1, 0.8, 0.5],
             "intensity": 40, "range": 14, "texture": "lantern.png", "ambient": 0.02}
-    fading = {"type": "point", "name": "rings", "position": [0, 3, -26], "color": [0.35, 0.6, 1], "intensity": 1.2,
-              "range": 9, "falloff": "lut", "lut": [1, 1, 0.9, 0.2, 0.75, 0.15, 0.5, 0.1, 0.25, 0]}
+    fading = {"type": "point", "name": "rings", "position": [0, 3, -26], "color": [0.35, 0.6, 1],
+              "intensity": 1.2, "range": 9, "falloff": "lut",
+              "lut": [1, 1, 0.9, 0.2, 0.75, 0.15, 0.5, 0.1, 0.25, 0]}
     day = {"type": "directional", "name": "day", "direction": [0.3, -1, -0.4], "color": [0.7, 0.8, 1],
            "intensity": 0.03}
     return {"tilelight": 1, "ambient": [0.02, 0.022, 0.03],
