@@ -15,16 +15,17 @@
 typedef long double wide;
 
 /* X(name in the rows, the first plane of what it says) */
-#define ORACLE_FIELDS(X)                                                                \
-    X(px, TL_DEPTH)                                                                     \
-    X(py, TL_DEPTH)                                                                     \
-    X(pz, TL_DEPTH)                                                                     \
-    X(nx, TL_NORMAL_X) X(ny, TL_NORMAL_X) X(nz, TL_NORMAL_X) X(ar, TL_ALBEDO_R)         \
-        X(ag, TL_ALBEDO_R) X(ab, TL_ALBEDO_R) X(sr, TL_SPECULAR_R) X(sg, TL_SPECULAR_R) \
-            X(sb, TL_SPECULAR_R) X(exponent, TL_SHININESS) X(metal, TL_METALLIC)        \
-                X(rough, TL_ROUGHNESS) X(ao, TL_OCCLUSION) X(er, TL_EMISSIVE_R)         \
-                    X(eg, TL_EMISSIVE_R) X(eb, TL_EMISSIVE_R) X(bi, TL_BRDF)            \
-                        X(tx, TL_TANGENT_X) X(ty, TL_TANGENT_X) X(tz, TL_TANGENT_X)
+#define ORACLE_FIELDS(X)                                                                  \
+    X(px, TL_DEPTH)                                                                       \
+    X(py, TL_DEPTH)                                                                       \
+    X(pz, TL_DEPTH)                                                                       \
+    X(nx, TL_NORMAL_X)                                                                    \
+    X(ny, TL_NORMAL_X) X(nz, TL_NORMAL_X) X(ar, TL_ALBEDO_R) X(ag, TL_ALBEDO_R)           \
+        X(ab, TL_ALBEDO_R) X(sr, TL_SPECULAR_R) X(sg, TL_SPECULAR_R) X(sb, TL_SPECULAR_R) \
+            X(exponent, TL_SHININESS) X(metal, TL_METALLIC) X(rough, TL_ROUGHNESS)        \
+                X(ao, TL_OCCLUSION) X(er, TL_EMISSIVE_R) X(eg, TL_EMISSIVE_R)             \
+                    X(eb, TL_EMISSIVE_R) X(bi, TL_BRDF) X(tx, TL_TANGENT_X)               \
+                        X(ty, TL_TANGENT_X) X(tz, TL_TANGENT_X)
 enum oracle_field {
 #define FIELD_NAME(name, plane) F_##name,
     ORACLE_FIELDS(FIELD_NAME) F_COUNT
@@ -50,9 +51,19 @@ typedef struct oracle_row {
 #define FLOATS_AFTER_DEPTH                                                              \
     "|nx:f32|ny:f32|nz:f32|ar:f32|ag:f32|ab:f32|?sr:f32|?sg:f32|?sb:f32|?exponent:f32|" \
     "?metal:f32|?rough:f32|?ao:f32|?er:f32|?eg:f32|?eb:f32|?bi:f32|?tx:f32|?ty:f32|?tz:f32"
-#define TANGENT_AND_INDEX "|?tx:s12 ty:s12 bi:i8"
 #define RGBA16F_POSITION "px:f16 py:f16|pz:f16 "
 #define RGBA8_ALBEDO "ar:u8 ag:u8 ab:u8 "
+#define MERLIN_SURFACE(last) RGBA8_ALBEDO "exponent:u8|nx:u8 ny:u8 nz:u8 " last "|"
+#define ISPC_ROW(convention)                                                              \
+    {                                                                                     \
+        .depth = convention, .normal = SPHEREMAP, .normals_in_view = 1, .specular = GRAY, \
+        .words = "px:f32|nx:f16|ny:f16|sr:f16|exponent:f16|ar:u8|ag:u8|ab:u8"             \
+    }
+#define COMPACT_EXTRAS "|?er:rgb9e5|?tx:s12 ty:s12 bi:i8"
+#define COMPACT_16(material) \
+    "px:f32|nx:s16 ny:s16|" RGBA8_ALBEDO "ao:u8|?" material COMPACT_EXTRAS
+#define COMPACT_12(width, shine) \
+    "ao:u8 px:f24|nx:s12 ny:s12 " width "|" RGBA8_ALBEDO shine COMPACT_EXTRAS
 
 static const oracle_row oracle_rows[TL_LAYOUT_COUNT] = {
     [TL_LAYOUT_FLOAT] = {.depth = METRES, .words = "px:f32" FLOATS_AFTER_DEPTH},
@@ -99,57 +110,38 @@ static const oracle_row oracle_rows[TL_LAYOUT_COUNT] = {
                           .normals_in_view = 1,
                           .specular = GRAY,
                           .exponent = LOGARITHM,
-                          .words =
-                              RGBA8_ALBEDO "exponent:u8|nx:u8 ny:u8 nz:u8 sr:u8|px:u24 -:8",
-                          .index_words =
-                              RGBA8_ALBEDO "exponent:u8|nx:u8 ny:u8 nz:u8 bi:i8|px:u24 -:8"},
+                          .words = MERLIN_SURFACE("sr:u8") "px:u24 -:8",
+                          .index_words = MERLIN_SURFACE("bi:i8") "px:u24 -:8"},
     [TL_LAYOUT_MERLIN_POSITION] = {.depth = IN_VIEW,
                                    .normals_in_view = 1,
                                    .specular = GRAY,
                                    .exponent = LOGARITHM,
-                                   .words = RGBA8_ALBEDO
-                                   "exponent:u8|nx:u8 ny:u8 nz:u8 sr:u8|" RGBA16F_POSITION
-                                   "-:16",
-                                   .index_words = RGBA8_ALBEDO
-                                   "exponent:u8|nx:u8 ny:u8 nz:u8 bi:i8|" RGBA16F_POSITION
-                                   "-:16"},
+                                   .words = MERLIN_SURFACE("sr:u8") RGBA16F_POSITION "-:16",
+                                   .index_words =
+                                       MERLIN_SURFACE("bi:i8") RGBA16F_POSITION "-:16"},
     [TL_LAYOUT_DXR] = {.depth = IN_VIEW,
                        .normals_in_view = 1,
                        .words = RGBA8_ALBEDO
                        "-:8|" RGBA16F_POSITION
                        "er:f16|nx:f16 ny:f16|nz:f16 eg:f16|ao:u8 metal:u8 rough:u8 eb:u8"},
-    [TL_LAYOUT_ISPC] = {.depth = FORWARD,
-                        .normal = SPHEREMAP,
-                        .normals_in_view = 1,
-                        .specular = GRAY,
-                        .words = "px:f32|nx:f16|ny:f16|sr:f16|exponent:f16|ar:u8|ag:u8|ab:u8"},
-    [TL_LAYOUT_ISPC_REVERSED] =
-        {.depth = REVERSED,
-         .normal = SPHEREMAP,
-         .normals_in_view = 1,
-         .specular = GRAY,
-         .words = "px:f32|nx:f16|ny:f16|sr:f16|exponent:f16|ar:u8|ag:u8|ab:u8"},
-    [TL_LAYOUT_COMPACT_16] =
-        {.depth = METRES,
-         .normal = OCTAHEDRON,
-         .albedo = SQUARED,
-         .specular = SQUARED,
-         .emissive = SHARED,
-         .exponent = LOGARITHM,
-         .words = "px:f32|nx:s16 ny:s16|" RGBA8_ALBEDO
-                  "ao:u8|?sr:u8 sg:u8 sb:u8 exponent:u8|?er:rgb9e5" TANGENT_AND_INDEX,
-         .metal_words = "px:f32|nx:s16 ny:s16|" RGBA8_ALBEDO
-                        "ao:u8|?rough:u16 metal:u16|?er:rgb9e5" TANGENT_AND_INDEX},
+    [TL_LAYOUT_ISPC] = ISPC_ROW(FORWARD),
+    [TL_LAYOUT_ISPC_REVERSED] = ISPC_ROW(REVERSED),
+    [TL_LAYOUT_COMPACT_16] = {.depth = METRES,
+                              .normal = OCTAHEDRON,
+                              .albedo = SQUARED,
+                              .specular = SQUARED,
+                              .emissive = SHARED,
+                              .exponent = LOGARITHM,
+                              .words = COMPACT_16("sr:u8 sg:u8 sb:u8 exponent:u8"),
+                              .metal_words = COMPACT_16("rough:u16 metal:u16")},
     [TL_LAYOUT_COMPACT_12] = {.depth = METRES,
                               .normal = OCTAHEDRON,
                               .albedo = SQUARED,
                               .specular = GRAY,
                               .emissive = SHARED,
                               .exponent = LOGARITHM,
-                              .words = "ao:u8 px:f24|nx:s12 ny:s12 exponent:u8|" RGBA8_ALBEDO
-                                       "sr:u8|?er:rgb9e5" TANGENT_AND_INDEX,
-                              .metal_words = "ao:u8 px:f24|nx:s12 ny:s12 rough:u8|" RGBA8_ALBEDO
-                                             "metal:u8|?er:rgb9e5" TANGENT_AND_INDEX},
+                              .words = COMPACT_12("exponent:u8", "sr:u8"),
+                              .metal_words = COMPACT_12("rough:u8", "metal:u8")},
 };
 
 /* --- numbers --------------------------------------------------------------------------------------- */

@@ -4,6 +4,7 @@
 #include "float_pixel.h"
 #include "packing.h"
 #include "parallel.h"
+#include "plane_values.h"
 #include "try.h"
 
 #include <stdatomic.h>
@@ -35,14 +36,10 @@ tl_packing tl_packing_of(const tl_camera *camera,
 
 tl_words tl_sky_words(const tl_camera *camera, enum tl_layout_name layout, uint32_t present)
 {
-    static const float empty[TL_PLANE_COUNT] = {
-#define EMPTY_VALUE(name, channel, value, meaning) [name] = value,
-        TL_PLANES(EMPTY_VALUE)
-#undef EMPTY_VALUE
-    };
     tl_frame frame = {.tile_size = 0};
     tl_packing packing = tl_packing_of(camera, layout, present, &frame);
-    const pixel sky = {.depth = (real)empty[TL_DEPTH], .occlusion = (real)empty[TL_OCCLUSION]};
+    const pixel sky = {.depth = (real)tl_plane_empty[TL_DEPTH],
+                       .occlusion = (real)tl_plane_empty[TL_OCCLUSION]};
     pack_pixel(&packing, sky, 0.0, 0.0);
     return packing.words;
 }

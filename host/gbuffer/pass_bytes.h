@@ -7,7 +7,7 @@
 /* Words of a pixel that a pass needs, bits 1 << word. */
 typedef struct tl_pass_words {
     uint32_t positions; /* culling: where the surface is */
-    uint32_t surfaces;  /* shading, before the lights: position, normal, exponent */
+    uint32_t surfaces;  /* shading, before the lights: position, normal, how it reflects */
     uint32_t colors;    /* shading, after them: what light is multiplied by, and emission */
 } tl_pass_words;
 

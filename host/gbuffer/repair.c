@@ -2,17 +2,12 @@
 #include "repair.h"
 
 #include "parallel.h"
+#include "plane_values.h"
 
-#include <math.h>
-#include <string.h>
-
-static const struct {
-    const char *channel;
-    float empty;
-} planes[TL_PLANE_COUNT] = {
-#define PLANE(name, channel, empty, meaning) [name] = {channel, empty},
-    TL_PLANES(PLANE)
-#undef PLANE
+static const char *const channels[TL_PLANE_COUNT] = {
+#define CHANNEL(name, channel, empty, meaning) [name] = channel,
+    TL_PLANES(CHANNEL)
+#undef CHANNEL
 };
 
 /* What a layout packs together goes by one name. */
@@ -47,7 +42,7 @@ void tl_faults_add(tl_faults *faults, tl_fault_counts counts)
 
 void tl_faults_add_indices(tl_faults *faults, const tl_index_set *set)
 {
-    for (size_t i = 0; i < sizeof set->bits / sizeof set->bits[0]; i++)
+    for (int i = 0; i < TL_INDEX_WORDS; i++)
         atomic_fetch_or(&faults->indices[i], set->bits[i]);
 }
 
@@ -75,20 +70,14 @@ static void clear_pixel(scan *s, size_t at)
 {
     for (int p = 0; p < TL_PLANE_COUNT; p++)
         if (s->planes[p])
-            s->planes[p][at] = planes[p].empty;
-}
-
-/* By its bits: -0 is not what absence means, though it mostly comes to the same. */
-static uint32_t says_more_than_absence(int plane, float value)
-{
-    return memcmp(&value, &planes[plane].empty, sizeof value) != 0;
+            s->planes[p][at] = tl_plane_empty[p];
 }
 
 /* Of repaired values. */
 static uint32_t reflects(const scan *s, size_t at)
 {
     for (int p = TL_ALBEDO_R; p <= TL_SPECULAR_B; p++)
-        if (s->planes[p] && says_more_than_absence(p, s->planes[p][at]))
+        if (s->planes[p] && tl_says_more_than_absence(p, s->planes[p][at]))
             return TL_REFLECTS;
     return s->planes[TL_METALLIC] && s->planes[TL_METALLIC][at] != 1.0f ? TL_REFLECTS : 0;
 }
@@ -107,7 +96,7 @@ static unsigned long long repair_values(
             tl_faults_note(s->faults, row, column, p);
             repaired = 1;
         }
-        *telling |= says_more_than_absence(p, s->planes[p][at]) << p;
+        *telling |= tl_says_more_than_absence(p, s->planes[p][at]) << p;
     }
     if (!(*telling & TL_REFLECTS))
         *telling |= reflects(s, at);
@@ -172,7 +161,7 @@ static tl_status refuse(const tl_gbuffer *gbuffer,
         "%s: pixel (%llu, %llu), %s %s cannot be lit as it is; without --strict it is "
         "repaired",
         name, first >> 8 & 0xffffffff, first >> 40, is_packed ? "packed" : "channel",
-        is_packed ? attributes[plane] : planes[plane].channel);
+        is_packed ? attributes[plane] : channels[plane]);
 }
 
 /* A colour is neutral whole or not at all, and so is a tangent. */
@@ -196,7 +185,7 @@ tl_status tl_gbuffer_repair(
     atomic_init(&faults.value, 0);
     atomic_init(&faults.first, ~0ull);
     atomic_init(&faults.telling, 0);
-    for (size_t i = 0; i < sizeof gbuffer->indices / sizeof gbuffer->indices[0]; i++)
+    for (int i = 0; i < TL_INDEX_WORDS; i++)
         atomic_init(&faults.indices[i], 0);
     if (gbuffer->layout == TL_LAYOUT_FLOAT)
         repair_float(gbuffer, &faults);
@@ -205,7 +194,7 @@ tl_status tl_gbuffer_repair(
     gbuffer->neutral = neutral_planes(gbuffer->present, atomic_load(&faults.telling));
     gbuffer->is_dark = !(atomic_load(&faults.telling) & TL_REFLECTS);
     gbuffer->knows_indices = true;
-    for (size_t i = 0; i < sizeof gbuffer->indices / sizeof gbuffer->indices[0]; i++)
+    for (int i = 0; i < TL_INDEX_WORDS; i++)
         gbuffer->indices[i] = atomic_load(&faults.indices[i]);
     const unsigned long long first = atomic_load(&faults.first);
     if (strict && first != ~0ull)

@@ -20,13 +20,14 @@ static inline float tl_largest_value(int plane)
 {
     return plane == TL_SHININESS    ? 10000.0f
            : plane >= TL_TANGENT_X  ? TL_LONGEST_NORMAL
-           : plane == TL_BRDF       ? 255.0f
+           : plane == TL_BRDF       ? (float)TL_MAX_MATERIALS
            : plane >= TL_EMISSIVE_R ? 1e30f
                                     : 1.0f;
 }
 
-/* What a value of a plane behind the normal becomes: above the largest that one, but an index is another
- * material's; what is not finite 0, and negative too where it is no component of a vector. */
+/* What a value of a plane behind the normal becomes. Not finite or negative: 0. Above the largest: that
+ * one. But indices become none then, for the largest is another material's; and vectors, which may be
+ * negative, lose such a component. */
 static inline float tl_repaired_value(int plane, float value)
 {
     const float most = tl_largest_value(plane);
@@ -47,9 +48,9 @@ static inline float tl_repaired_value(int plane, float value)
 typedef struct tl_faults {
     atomic_ullong depth, normal, value;
     atomic_ullong first; /* row << 40 | column << 8 | plane of the first, for messages */
-    atomic_uint indices[(TL_MAX_MATERIALS + 32) / 32]; /* as tl_gbuffer has them */
-    atomic_uint
-        telling; /* not neutral in some pixel, bits 1 << plane; of a colour one; TL_REFLECTS */
+    atomic_uint indices[TL_INDEX_WORDS]; /* as tl_gbuffer has them */
+    /* not neutral in some pixel, bits 1 << plane; of a colour one; TL_REFLECTS */
+    atomic_uint telling;
 } tl_faults;
 
 /* Planes whose absence means something, so that they may be neutral. An exponent is of no matter where
@@ -67,7 +68,7 @@ void tl_faults_add(tl_faults *faults, tl_fault_counts counts);
 
 /* Indices that some rows have: added to the others at their end. */
 typedef struct tl_index_set {
-    uint32_t bits[(TL_MAX_MATERIALS + 32) / 32];
+    uint32_t bits[TL_INDEX_WORDS];
 } tl_index_set;
 
 static inline void tl_index_note(tl_index_set *set, uint32_t index)

@@ -26,16 +26,17 @@ static const struct {
     {offsetof(tl_layout, brdf), TL_BRDF},
     {offsetof(tl_layout, tangent), TL_TANGENT_X},
 };
-enum { MOST_VALUES = 3 * sizeof values / sizeof values[0] };
+enum { VALUE_COUNT = sizeof values / sizeof values[0], MOST_VALUES = 3 * VALUE_COUNT };
 
 typedef struct checked_value {
     tl_channel channel;
     enum tl_plane plane;
 } checked_value;
 
-/* Bits of a word that are these where a plane is neutral. */
+/* Bits of a word that are these where a pixel does not tell of something. */
 typedef struct telling_field {
-    uint32_t word, mask, neutral, plane; /* the last as a bit 1 << plane */
+    uint32_t word, mask, neutral;
+    uint32_t of; /* of a plane, bit 1 << plane, that it is not neutral; or TL_REFLECTS */
 } telling_field;
 
 typedef struct job {
@@ -46,10 +47,8 @@ typedef struct job {
     tl_packing packing; /* what is the same for every pixel */
     checked_value values[MOST_VALUES];
     int value_count;
-    telling_field fields[MOST_VALUES];
+    telling_field fields[2 * MOST_VALUES];
     int field_count;
-    telling_field black[MOST_VALUES]; /* all are these where a surface reflects nothing */
-    int black_count;
     atomic_ullong slack_x, slack_y; /* bits of doubles, which are in order for values >= 0 */
 } job;
 
@@ -68,11 +67,15 @@ static int is_number(tl_channel c, real value)
     return c.number == TL_NUMBER_HALF ? fabs(value) <= TL_MOST_HALF : isfinite(value);
 }
 
+static const tl_attribute *attribute_of(const job *j, int value)
+{
+    return (const void *)((const char *)j->planes.layout + values[value].attribute);
+}
+
 static void list_values(job *j)
 {
-    for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
-        const tl_attribute *a =
-            (const void *)((const char *)j->planes.layout + values[i].attribute);
+    for (int i = 0; i < VALUE_COUNT; i++) {
+        const tl_attribute *a = attribute_of(j, i);
         for (int k = 0; k < 3 && (j->gbuffer->present & TL_HAS(values[i].first)); k++) {
             const tl_channel c = a->channels[k];
             if (a->code && c.bits > 0 && c.number <= TL_NUMBER_FLOAT24)
@@ -108,22 +111,26 @@ static int neutral_field(const tl_attribute *a, int k, enum tl_plane plane, uint
     return plane == TL_OCCLUSION ? field_of_one(c, field) : 1;
 }
 
+static void list_field(job *j, tl_channel c, uint32_t neutral, uint32_t of)
+{
+    j->fields[j->field_count++] =
+        (telling_field){c.word, largest_field(c) << c.shift, neutral << c.shift, of};
+}
+
 /* Fields tell of the first plane of their attribute: a colour is neutral whole or not at all. A plane
  * without such bits is told of as if it said something. */
-static void list_fields(job *j)
+static void list_neutral(job *j)
 {
-    for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
+    for (int i = 0; i < VALUE_COUNT; i++) {
         const uint32_t plane = TL_HAS(values[i].first);
-        const tl_attribute *a =
-            (const void *)((const char *)j->planes.layout + values[i].attribute);
+        const tl_attribute *a = attribute_of(j, i);
         for (int k = 0; k < 3 && (j->gbuffer->present & TL_MAY_BE_NEUTRAL & plane); k++) {
             const tl_channel c = a->channels[k];
             uint32_t neutral;
             if (!a->code || c.bits == 0)
                 continue;
             if (neutral_field(a, k, values[i].first, &neutral))
-                j->fields[j->field_count++] = (telling_field){
-                    c.word, largest_field(c) << c.shift, neutral << c.shift, plane};
+                list_field(j, c, neutral, plane);
             else
                 atomic_fetch_or(&j->faults->telling, plane);
         }
@@ -134,10 +141,9 @@ static void list_fields(job *j)
  * reflect. */
 static void list_black(job *j)
 {
-    for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
+    for (int i = 0; i < VALUE_COUNT; i++) {
         const enum tl_plane plane = values[i].first;
-        const tl_attribute *a =
-            (const void *)((const char *)j->planes.layout + values[i].attribute);
+        const tl_attribute *a = attribute_of(j, i);
         if (plane != TL_ALBEDO_R && plane != TL_SPECULAR_R && plane != TL_METALLIC)
             continue;
         for (int k = 0; k < 3 && (j->gbuffer->present & TL_HAS(plane)); k++) {
@@ -147,27 +153,19 @@ static void list_black(job *j)
                 continue;
             if (plane == TL_METALLIC && !field_of_one(c, &field))
                 atomic_fetch_or(&j->faults->telling, TL_REFLECTS);
-            j->black[j->black_count++] = (telling_field){c.word, largest_field(c) << c.shift,
-                                                         field << c.shift, TL_REFLECTS};
+            list_field(j, c, field, TL_REFLECTS);
         }
     }
 }
 
-static uint32_t reflects(const job *j, const tl_words *words)
+/* *telling gathers what pixels tell of. */
+static void gather_telling(const job *j, const tl_words *words, uint32_t *telling)
 {
-    for (int i = 0; i < j->black_count; i++)
-        if ((words->of[j->black[i].word] & j->black[i].mask) != j->black[i].neutral)
-            return TL_REFLECTS;
-    return 0;
-}
-
-static uint32_t telling_planes(const job *j, const tl_words *words)
-{
-    uint32_t planes = 0;
-    for (int i = 0; i < j->field_count; i++)
-        if ((words->of[j->fields[i].word] & j->fields[i].mask) != j->fields[i].neutral)
-            planes |= j->fields[i].plane;
-    return planes;
+    for (int i = 0; i < j->field_count; i++) {
+        const telling_field f = j->fields[i];
+        if (!(*telling & f.of) && (words->of[f.word] & f.mask) != f.neutral)
+            *telling |= f.of;
+    }
 }
 
 static readings read_position(
@@ -303,9 +301,7 @@ static void repair_pixel(const job *j,
         remove_normal(j, words);
     }
     counts->value += (unsigned)repair_values(j, words, column, row);
-    *telling |= telling_planes(j, words);
-    if (!(*telling & TL_REFLECTS))
-        *telling |= reflects(j, words);
+    gather_telling(j, words, telling);
     if (j->gbuffer->present & TL_GROUP_BRDF)
         tl_index_note(indices, (uint32_t)channel_value(layout->brdf.channels[0], words));
     if (TL_IS_POSITION(layout->depth.code))
@@ -379,7 +375,7 @@ void tl_repair_packed(tl_gbuffer *gbuffer, tl_faults *faults)
              .packing =
                  tl_packing_of(&gbuffer->camera, gbuffer->layout, gbuffer->present, &frame)};
     list_values(&j);
-    list_fields(&j);
+    list_neutral(&j);
     list_black(&j);
     atomic_init(&j.slack_x, 0);
     atomic_init(&j.slack_y, 0);

@@ -2,10 +2,7 @@
 
 #include "packing.h"
 #include "parallel.h"
-
-#include <math.h>
-
-#include <string.h>
+#include "plane_values.h"
 
 typedef struct job {
     const tl_gbuffer *gbuffer;
@@ -53,19 +50,13 @@ typedef struct plane_job {
     uint32_t *planes;
 } plane_job;
 
-static const float empty_values[TL_PLANE_COUNT] = {
-#define EMPTY(name, channel, empty, meaning) [name] = (empty),
-    TL_PLANES(EMPTY)
-#undef EMPTY
-};
-
 static void note_row(const plane_job *j, enum tl_plane plane, uint32_t row)
 {
     const float *values = tl_gbuffer_plane(j->gbuffer, plane) + (size_t)row * j->gbuffer->pitch;
     uint32_t *planes = j->planes + (size_t)(row / j->tile_size) * j->tiles_x;
     for (uint32_t column = 0; column < j->gbuffer->camera.width; column++)
-        if (memcmp(&values[column], &empty_values[plane], sizeof(float)) != 0)
-            planes[column / j->tile_size] |= TL_HAS(plane);
+        planes[column / j->tile_size] |= tl_says_more_than_absence(plane, values[column])
+                                         << plane;
 }
 
 static void note_tiles(void *context, size_t begin, size_t end)

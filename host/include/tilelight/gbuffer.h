@@ -46,6 +46,9 @@ tl_status tl_material_names_copy(const tl_material_names *from,
 /* Leaves none. */
 void tl_material_names_clear(tl_material_names *names);
 
+/* Words of a set of indices: bit i % 32 of [i / 32] for index i. */
+enum { TL_INDEX_WORDS = (TL_MAX_MATERIALS + 32) / 32 };
+
 typedef struct tl_gbuffer {
     tl_camera camera;
     /* Of each pixel of the picture that it is lit to (tl_image_resolve): every sample is a
@@ -68,17 +71,16 @@ typedef struct tl_gbuffer {
      * whole. 0 until tl_gbuffer_repair has found them; lighting does not read them. Whoever
      * writes planes afterwards makes it 0 again, or repairs anew. */
     uint32_t neutral;
-    /* 1: no surface reflects light by its planes: they are black, or metals without colour, as unlit ones
-     * are stored. 0 until tl_gbuffer_repair has found it, and again as above. */
-    int is_dark;
-    /* Indices that surfaces have in the plane brdf: bit i % 32 of [i / 32] for index i. Not known until
-     * tl_gbuffer_repair has found them, as `neutral` is not. */
-    uint32_t indices[(TL_MAX_MATERIALS + 32) / 32];
+    /* No surface reflects light by its planes: they are black, or metals without colour, as unlit ones
+     * are stored. False until tl_gbuffer_repair has found it, and again as above. */
+    bool is_dark;
+    /* Those that surfaces have in the plane brdf. Not known until tl_gbuffer_repair has found them, and not
+     * again as above. */
+    uint32_t indices[TL_INDEX_WORDS];
     bool knows_indices;
     tl_material_names materials; /* none where nobody named them */
-    unsigned char
-        *planes; /* [tl_gbuffer_pixel_size][rows * pitch] bytes, plane after plane, aligned
-                            * to 4096; padding is sky */
+    /* [tl_gbuffer_pixel_size][rows * pitch] bytes, plane after plane, aligned to 4096; padding is sky */
+    unsigned char *planes;
 } tl_gbuffer;
 
 /* Planes that a frame has whole or not at all, and what they are called together; shininess alone beside
@@ -123,17 +125,17 @@ uint32_t tl_gbuffer_pixel_size(const tl_gbuffer *gbuffer);
 
 /* What tl_gbuffer_repair found, in pixels. */
 typedef struct tl_repairs {
-    uint64_t
-        depth; /* NaN, negative infinity, or <= 0 under a perspective camera: made sky. So is
-                        a stored position that is not finite or not before such a camera */
+    /* NaN, negative infinity, or <= 0 under a perspective camera: made sky. So is a stored position that
+     * is not finite or not before such a camera */
+    uint64_t depth;
     uint64_t normal; /* not finite, or of no length: made 0, which no light reaches */
-    uint64_t value;  /* another plane not finite, negative, or above its range: made 0 or cut */
+    uint64_t value; /* another plane not finite, out of its range, or no index: made 0 or cut */
 } tl_repairs;
 
-/* Makes every pixel safe to light, and sky pixels hold the values of `TL_PLANES` for nothing
- * hit; of any layout, by what kernels read in float and in double. Finds the slack of stored
- * positions, and which planes are neutral. On all threads. *out may be NULL. With `strict`,
- * fails with TL_ERR_FORMAT at the first pixel that would need it, naming pixel and channel (of
+/* Makes every pixel safe to light, and sky pixels hold the values of `TL_PLANES` for nothing hit; of any
+ * layout, by what kernels read in float and in double. Finds the slack of stored positions, which planes
+ * are neutral, whether the frame is dark, and its indices. On all threads. *out may be NULL. With
+ * `strict`, fails with TL_ERR_FORMAT at the first pixel that would need it, naming pixel and channel (of
  * a packed one the attribute), and `name` (a file) in front. */
 tl_status tl_gbuffer_repair(
     tl_gbuffer *gbuffer, const char *name, bool strict, tl_repairs *out, tl_error *err);
