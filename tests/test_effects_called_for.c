@@ -36,10 +36,12 @@ typedef struct scene {
     int has_shininess;
     tl_sky sky_type;
     enum tl_shading_model model;
-    /* index that has a row of materials, of this model and specular colour; 0: none */
+    /* index that has a row of materials, of this model; 0: none */
     uint32_t row;
     enum tl_shading_model row_model;
+    uint32_t row_given; /* bits of tl_brdf_parameter */
     float row_specular;
+    int is_dark; /* tl_gbuffer.is_dark */
     tl_projection projection;
     enum tl_layout_name layout;
     tl_effects_mode mode;
@@ -166,21 +168,51 @@ static const scene others[] = {
     {"tangents and lobes that are round", TL_GROUP_BASE | TL_GROUP_TANGENT,
      .model = TL_MODEL_WARD, .effects = ON(MODEL) | ON(WIDTH),
      .needs = {.idle = TL_GROUP_TANGENT}},
+    {"a lobe with a direction, and no tangents", TL_GROUP_BASE,
+     .model = TL_MODEL_WARD_ANISOTROPIC, .effects = ON(MODEL) | ON(WIDTH)},
     {"indices without a row", INDEXED, .needs = {.idle = TL_GROUP_BRDF}},
     {"a row without indices", TL_GROUP_BASE, .row = 3, .row_model = TL_MODEL_LAMBERT},
     {"a row and indices of 0", INDEXED, .neutral = TL_GROUP_BRDF, .row = 3,
      .row_model = TL_MODEL_LAMBERT, .needs = {.idle = TL_GROUP_BRDF}},
     {"a row of another model", INDEXED, .row = 3, .row_model = TL_MODEL_LAMBERT,
      .effects = ON(ROWS) | ON(MODEL)},
-    {"a row with a specular colour", INDEXED, .row = 3, .row_specular = 0.5f,
+    {"a row with a black specular colour", INDEXED, .row = 3, .row_given = TL_TAKES_SPECULAR,
      .lamps = {{ANY_LIGHT, .is_directional = 1, .specular = 1.0f}},
+     .effects = ON(GLOBAL) | ON(DIRECTIONAL) | ON(ROWS), .needs = {.falloffs = FADE(NONE)},
+     .light_count = 1},
+    {"a specular colour that its row does not give", INDEXED, .row = 3, .row_specular = 0.5f,
+     .lamps = {{ANY_LIGHT, .is_directional = 1, .specular = 1.0f}},
+     .effects = ON(GLOBAL) | ON(DIRECTIONAL) | ON(ROWS), .needs = {.falloffs = FADE(NONE)},
+     .light_count = 1},
+    {"a row with a specular colour", INDEXED, .row = 3, .row_given = TL_TAKES_SPECULAR,
+     .row_specular = 0.5f, .lamps = {{ANY_LIGHT, .is_directional = 1, .specular = 1.0f}},
      .effects = ON(GLOBAL) | ON(DIRECTIONAL) | ON(SPECULAR) | ON(ROWS),
      .needs = {.falloffs = FADE(NONE), .specular = 1}, .light_count = 1},
-    {"rows, and a model that tints grey highlights", PHONG | TL_GROUP_BRDF, .row = 3,
-     .row_model = TL_MODEL_BLINN_PHONG_NORMALIZED, .model = TL_MODEL_BLINN_PHONG_NORMALIZED,
+    {"rows, and a model that tints grey highlights", PHONG | TL_GROUP_BRDF,
+     .layout = TL_LAYOUT_COMPACT_12, .row = 3, .row_model = TL_MODEL_BLINN_PHONG_NORMALIZED,
+     .model = TL_MODEL_BLINN_PHONG_NORMALIZED,
      .lamps = {{ANY_LIGHT, .is_directional = 1, .specular = 1.0f}},
      .effects = ON(GLOBAL) | ON(DIRECTIONAL) | ON(SPECULAR) | ON(MODEL) | ON(ROWS),
      .needs = {.falloffs = FADE(NONE), .specular = 1}, .light_count = 1},
+    {"a model that tints grey highlights, which are black", PHONG, .layout = TL_LAYOUT_ISPC,
+     .neutral = TL_THREE(TL_SPECULAR_R), .model = TL_MODEL_BLINN_PHONG_NORMALIZED,
+     .lamps = {{ANY_LIGHT, .is_directional = 1, .specular = 1.0f}},
+     .effects = ON(GLOBAL) | ON(DIRECTIONAL) | ON(MODEL),
+     .needs = {.falloffs = FADE(NONE), .idle = TL_GROUP_PHONG}, .light_count = 1},
+    {"grey highlights that their model does not tint", PHONG, .layout = TL_LAYOUT_ISPC,
+     .lamps = {{ANY_LIGHT, .is_directional = 1, .specular = 1.0f}},
+     .effects = ON(GLOBAL) | ON(DIRECTIONAL) | ON(SPECULAR),
+     .needs = {.falloffs = FADE(NONE), .specular = 1}, .light_count = 1},
+    {"a lobe alone, under a model without highlights", PHONG, .model = TL_MODEL_LAMBERT,
+     .lamps = {{.intensity = 1.0f, .specular = 1.0f, .range = 1.0f}}, .effects = ON(MODEL),
+     .needs = {.idle = TL_GROUP_PHONG}, .idle = {[TL_IDLE_NO_GLOSS] = 1}},
+    {"light where nothing reflects it", PHONG, .is_dark = 1, .ambient = 0.1f,
+     .lamps = {{ANY_LIGHT, .is_directional = 1}}, .needs = {.idle = TL_GROUP_PHONG},
+     .idle = {[TL_IDLE_DARK] = 1}},
+    {"light where a row alone reflects it", INDEXED, .is_dark = 1, .ambient = 0.1f, .row = 3,
+     .lamps = {{ANY_LIGHT, .is_directional = 1}},
+     .effects = ON(GLOBAL) | ON(DIRECTIONAL) | ON(AMBIENT) | ON(ROWS),
+     .needs = {.falloffs = FADE(NONE), .ambient = 1}, .light_count = 1},
     {"occlusion of an ambient lobe", OCCLUSION,
      .lamps = {{.intensity = 1.0f, .ambient = 0.5f, .is_directional = 1}},
      .effects = ON(GLOBAL) | ON(DIRECTIONAL) | ON(AMBIENT_LOBE) | ON(AMBIENT) | ON(OCCLUSION),
@@ -296,6 +328,7 @@ static tl_prepared prepared_of(const scene *s)
     camera.projection = s->projection;
     ASSERT_OK(tl_gbuffer_create_packed(&camera, s->layout, s->present, &g, &err), err);
     g->neutral = s->neutral;
+    g->is_dark = s->is_dark;
     lights.ambient[1] = s->ambient;
     lights.sky_type = s->sky_type;
     lights.sky[2] = s->sky_type == TL_SKY_IMAGE ? 0.0f : s->sky;
@@ -308,7 +341,7 @@ static tl_prepared prepared_of(const scene *s)
         tl_material_row row = tl_material_row_default();
         row.index = s->row;
         row.model = s->row_model;
-        row.given = s->row_specular > 0.0f ? TL_TAKES_SPECULAR : 0;
+        row.given = s->row_given;
         row.specular[1] = s->row_specular;
         ASSERT_OK(tl_light_set_add_material(&lights, &row, &err), err);
     }

@@ -180,6 +180,7 @@ static void one_pixel_is_enough(void **state)
         options.falloff = falloff;
         ASSERT_OK(tl_scatter(wall, &options, &set, &err), err);
         ASSERT_OK(tl_light_set_check(&set, "scattered", &err), err);
+        assert_int_equal(set.lights[set.count - 1].falloff, falloff);
     }
     assert_int_equal(set.count, TL_FALLOFF_TABLE * options.count);
     tl_light_set_clear(&set);
