@@ -82,6 +82,32 @@ static void a_rig_lights_what_has_no_lights(void **state)
     expect_run("$T compare rig.exr none.exr --tolerance 0", 1, "PSNR", "above the tolerance");
 }
 
+/* Whose picture is gone: they cannot be read, and need not be. */
+static void lights_of_a_file_replace_those_inside(void **state)
+{
+    tl_gbuffer *gbuffer = NULL;
+    tl_light_set lights = {0};
+    tl_error err;
+    (void)state;
+    expect_run("$T capture $D/nine-lights.gltf --size 16x16 -o g.exr --lights-out l.json &&"
+               "$T light g.exr -o listed.exr -o gobo.png &&"
+               "echo '{\"tilelight\": 1, \"lights\": [{\"type\": \"point\", \"position\": "
+               "[0, 2, 0], \"texture\": \"gobo.png\"}]}' >lamp.json",
+               0, "", "");
+    ASSERT_OK(tl_gbuffer_read("g.exr", &gbuffer, NULL, NULL, &err), err);
+    ASSERT_OK(tl_lights_read("lamp.json", &lights, &err), err);
+    ASSERT_OK(tl_gbuffer_write("lamp.exr", gbuffer, &lights, &err), err);
+    tl_light_set_clear(&lights);
+    tl_gbuffer_destroy(gbuffer);
+    expect_run("$T light lamp.exr -o lamp.png && rm gobo.png", 0, "", "");
+    expect_run("$T light lamp.exr -o gone.png", 3, "", "gobo.png: cannot be opened");
+    expect_run("$T light lamp.exr --lights l.json -o a.exr &&"
+               "$T light lamp.exr --lights l.json --map depth=Z -o b.exr",
+               0, "", "");
+    expect_same("a.exr", "listed.exr");
+    expect_same("b.exr", "listed.exr");
+}
+
 static void reference_and_twin_need_no_device(void **state)
 {
     (void)state;
@@ -183,6 +209,7 @@ int main(void)
         cmocka_unit_test_setup(capture_then_light_is_render, enter),
         cmocka_unit_test_setup(scatter_in_one_go_or_in_steps, enter),
         cmocka_unit_test_setup(a_rig_lights_what_has_no_lights, enter),
+        cmocka_unit_test_setup(lights_of_a_file_replace_those_inside, enter),
         cmocka_unit_test_setup(reference_and_twin_need_no_device, enter),
         cmocka_unit_test_setup(pixels_that_cannot_be_lit_are_repaired_or_refused, enter),
         cmocka_unit_test_setup(reports_are_one_json_object, enter),

@@ -142,8 +142,9 @@ static void what_is_wrong_is_named(void **state)
     for (size_t i = 0; i < COUNT_OF(cases); i++) {
         tl_error err = {.status = TL_OK};
         tl_gbuffer *gbuffer = NULL;
+        tl_light_set lights = {0};
         exr_recipe_write(&cases[i].recipe, path);
-        const tl_status status = tl_gbuffer_read(path, &gbuffer, NULL, NULL, &err);
+        const tl_status status = tl_gbuffer_read(path, &gbuffer, &lights, NULL, &err);
         assert_refused(cases[i].name, status, cases[i].status, &err, cases[i].words);
         assert_non_null(strstr(err.message, path));
         assert_null(gbuffer);

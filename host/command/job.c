@@ -92,7 +92,11 @@ tl_status job_read(
     tl_status status = TL_OK;
     const double start = tl_seconds();
     const tl_capture_request request = {
-        .path = path, .notices = &console_notices, .import = import};
+        .path = path,
+        .notices = &console_notices,
+        .import = import,
+        .without_lights = j->lights_given,
+    };
     tl_captured captured = {0};
     console_stage("reading the G-buffer");
     TRY(tl_capture_read(&request, &captured, err));

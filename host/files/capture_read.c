@@ -33,12 +33,18 @@ static bool is_given(const tl_capture_request *request)
     return request->import && request->import->is_given;
 }
 
+static tl_light_set *wanted_lights(const tl_capture_request *request, tl_captured *out)
+{
+    return request->without_lights ? NULL : &out->lights;
+}
+
 /* Ours with channels mapped by hand: the lights inside go along. */
 static tl_status import_own(const tl_capture_request *request, tl_captured *out, tl_error *err)
 {
     tl_status status = TL_OK;
     tl_captured made = {0};
-    TRY(tl_gbuffer_read_lights(request->path, &made.lights, &made.has_lights, err));
+    TRY(tl_gbuffer_read_lights(request->path, wanted_lights(request, &made), &made.has_lights,
+                               err));
     TRY(import(request, &made, err));
     *out = made;
     made = (tl_captured){0};
@@ -63,7 +69,8 @@ static tl_status read_exr(const tl_capture_request *request, tl_captured *out, t
                     "leave out the options for captures of other programs",
                     request->path));
     else
-        TRY(tl_gbuffer_read(request->path, &out->gbuffer, &out->lights, &out->has_lights, err));
+        TRY(tl_gbuffer_read(request->path, &out->gbuffer, wanted_lights(request, out),
+                            &out->has_lights, err));
 done:
     return status;
 }

@@ -26,6 +26,8 @@ typedef struct tl_capture_request {
     const tl_notices *notices; /* what was assumed; NULL: nobody listens */
     const tl_import_options
         *import; /* what another program's numbers mean; NULL: as by default */
+    /* Others stand in for lights inside of ours, which are not read then, whatever is wrong with them. */
+    bool without_lights;
 } tl_capture_request;
 
 /* All zero is empty. */

@@ -136,7 +136,7 @@ tl_status tl_gbuffer_read(
     TRY(tl_exr_reader_open(&reader, path, err));
     TRY(tl_gbuffer_header_read(&reader, &promised, err));
     has = tl_exr_reader_has_attribute(&reader, "tilelight:lights");
-    if (has)
+    if (has && lights)
         TRY(read_lights(&reader, &brought, err));
     TRY(create(&reader, &promised, &made, err));
     TRY(tl_material_attribute_read(&reader, &made->materials, err));
@@ -166,7 +166,7 @@ tl_status tl_gbuffer_read_lights(const char *path,
     tl_exr_reader reader = {.is_open = false};
     TRY(tl_exr_reader_open(&reader, path, err));
     const bool has = tl_exr_reader_has_attribute(&reader, "tilelight:lights");
-    if (has)
+    if (has && lights)
         TRY(read_lights(&reader, lights, err));
     *has_lights = has;
 done:
