@@ -1,17 +1,10 @@
 #include "info.h"
 #include "json_values.h"
-#include "light_fields.h"
+#include "light_words.h"
 #include "material_rows.h"
-#include "printable.h"
 
 #include <math.h>
 #include <stdio.h>
-
-static const char *const type_words[] = {
-#define TYPE_WORD(name, word) [name] = word,
-    TL_LIGHT_TYPES(TYPE_WORD)
-#undef TYPE_WORD
-};
 
 /* Of the lights of one type. Ranges: over those that have one. */
 typedef struct type_info {
@@ -79,12 +72,10 @@ static void print_color(const char *before, const float color[3])
            (double)color[2]);
 }
 
-/* A path of a file, without what steers a terminal. */
 static void print_path(const char *path)
 {
     putchar('"');
-    for (; *path; path++)
-        putchar(tl_printable(*path));
+    info_print_text(path, 0);
     putchar('"');
 }
 
@@ -160,7 +151,7 @@ void info_print_lights(const tl_light_set *set)
         const type_info info = type_info_of(set, type);
         if (info.count == 0)
             continue;
-        printf("%-11s %zu, intensity %.6g to %.6g", type_words[type], info.count,
+        printf("%-11s %zu, intensity %.6g to %.6g", tl_light_type_words[type], info.count,
                info.least_intensity, info.most_intensity);
         if (info.ranged_count > 0)
             printf(", range %.6g to %.6g m", info.least_range, info.most_range);
@@ -213,7 +204,7 @@ json_t *info_lights_json(const tl_light_set *set)
     for (tl_light_type type = 0; type < TL_LIGHT_TYPE_COUNT; type++) {
         const type_info info = type_info_of(set, type);
         if (info.count > 0)
-            json_object_set_new(types, type_words[type], type_json(&info));
+            json_object_set_new(types, tl_light_type_words[type], type_json(&info));
     }
     json_t *shininess = set->has_shininess ? json_real((double)set->shininess) : json_null();
     const shape_info info = shape_info_of(set);

@@ -1,7 +1,7 @@
 #include "job_light.h"
 
 #include "console.h"
-#include "light_fields.h"
+#include "light_words.h"
 #include "try.h"
 
 /* Of a precision: whether it runs on an OpenCL device. */

@@ -5,6 +5,7 @@
 #include "console.h"
 #include "import_options.h"
 #include "job.h"
+#include "light_words.h"
 #include "try.h"
 #include "values.h"
 
@@ -26,9 +27,7 @@ enum {
     OPTION_INTENSITY
 };
 
-#define FALLOFF_WORD(name, word) [name] = word,
-static const char *const falloff_words[] = {TL_FALLOFFS(FALLOFF_WORD)};
-static const value_words falloffs = {"falloff", "falloffs", falloff_words,
+static const value_words falloffs = {"falloff", "falloffs", tl_falloff_words,
                                      TL_FALLOFF_TABLE}; /* which would need a table */
 
 static void check_together(const scatter_command *options, struct argp_state *state)

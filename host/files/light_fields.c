@@ -27,21 +27,3 @@ const tl_light_field tl_light_fields[TL_LIGHT_FIELD_COUNT] = {
     {"texture", TL_FIELD_IMAGE, offsetof(tl_light, texture), PLACED, false},
     {"up", TL_FIELD_UNIT, offsetof(tl_light, up), PLACED, false},
 };
-
-const char *const tl_light_type_words[TL_LIGHT_TYPE_COUNT] = {
-#define TYPE_WORD(name, word) [name] = word,
-    TL_LIGHT_TYPES(TYPE_WORD)
-#undef TYPE_WORD
-};
-
-const char *const tl_model_words[TL_MODEL_COUNT] = {
-#define MODEL_WORD(name, word, traits, parameters, source) [name] = word,
-    TL_MODELS(MODEL_WORD)
-#undef MODEL_WORD
-};
-
-const char *const tl_falloff_words[TL_FALLOFF_COUNT] = {
-#define FALLOFF_WORD(name, word) [name] = word,
-    TL_FALLOFFS(FALLOFF_WORD)
-#undef FALLOFF_WORD
-};

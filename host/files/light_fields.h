@@ -2,7 +2,7 @@
 #ifndef TL_LIGHT_FIELDS_H
 #define TL_LIGHT_FIELDS_H
 
-#include "tilelight/lights.h"
+#include "light_words.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -44,10 +44,5 @@ typedef struct tl_sky_field {
 
 enum { TL_SKY_FIELD_COUNT = 7 };
 extern const tl_sky_field tl_sky_fields[TL_SKY_FIELD_COUNT];
-extern const char *const tl_sky_type_words[TL_SKY_COUNT];
-
-extern const char *const tl_light_type_words[TL_LIGHT_TYPE_COUNT];
-extern const char *const tl_falloff_words[TL_FALLOFF_COUNT];
-extern const char *const tl_model_words[TL_MODEL_COUNT];
 
 #endif

@@ -7,12 +7,6 @@
 #include <stdbool.h>
 #include <string.h>
 
-const char *const tl_sky_type_words[TL_SKY_COUNT] = {
-#define SKY_WORD(name, word) [name] = word,
-    TL_SKIES(SKY_WORD)
-#undef SKY_WORD
-};
-
 const tl_sky_field tl_sky_fields[TL_SKY_FIELD_COUNT] = {
     {"color", TL_SKY_CONSTANT, TL_FIELD_VECTOR, offsetof(tl_light_set, sky), true},
     {"zenith", TL_SKY_GRADIENT, TL_FIELD_VECTOR, offsetof(tl_light_set, zenith), true},
@@ -68,8 +62,8 @@ tl_status tl_sky_read(const tl_place *at, json_t *sky, tl_light_set *set, tl_err
     if (!json_is_object(sky))
         TRY(tl_fail(err, TL_ERR_FORMAT, "%s: \"sky\" must be an object with a \"type\"",
                     at->source));
-    TRY(tl_read_word(&inside, "type", json_object_get(sky, "type"), tl_sky_type_words, TL_SKY_COUNT,
-                     &type, err));
+    TRY(tl_read_word(&inside, "type", json_object_get(sky, "type"), tl_sky_type_words,
+                     TL_SKY_COUNT, &type, err));
     set->sky_type = (tl_sky)type;
     set->sky_intensity = set->sky_type == TL_SKY_IMAGE ? 1.0f : 0.0f;
     json_object_foreach(sky, key, value) TRY(read_member(&inside, key, value, set, err));

@@ -1,5 +1,7 @@
 #include "material_rows.h"
 
+#include "light_words.h"
+
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -31,16 +33,6 @@ uint32_t tl_model_takes(enum tl_shading_model model)
 #undef TAKES
     };
     return takes[model];
-}
-
-static const char *word_of(enum tl_shading_model model)
-{
-    static const char *const words[TL_MODEL_COUNT] = {
-#define WORD(name, word, traits, parameters, source) [name] = word,
-        TL_MODELS(WORD)
-#undef WORD
-    };
-    return words[model];
 }
 
 const float *tl_material_values(const tl_material_row *row, const tl_material_field *field)
@@ -150,7 +142,7 @@ static tl_status check_fields(const tl_light_set *set,
         if (!(tl_model_takes(of->model) & field->parameter))
             return tl_fail(err, TL_ERR_FORMAT,
                            "%s: %s: the model %s takes no \"%s\"; remove it", source,
-                           label.text, word_of(of->model), field->name);
+                           label.text, tl_model_words[of->model], field->name);
         const tl_status status = check_range(set, row, field, source, err);
         if (status != TL_OK)
             return status;
