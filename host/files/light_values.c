@@ -1,11 +1,24 @@
 #include "light_values.h"
 
+#include "light_words.h"
 #include "suggest.h"
 #include "try.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+
+tl_place tl_place_in(
+    const char *source, const char *list, size_t index, const json_t *item, const char *name)
+{
+    tl_place at = {.source = source};
+    const char *given = json_string_value(json_object_get(item, name));
+    if (given && given[0])
+        snprintf(at.inside, sizeof at.inside, " %.10s[%zu] \"%.60s\":", list, index, given);
+    else
+        snprintf(at.inside, sizeof at.inside, " %.10s[%zu]:", list, index);
+    return at;
+}
 
 tl_status tl_unknown_field(const tl_place *at,
                            const char *key,
@@ -91,4 +104,17 @@ tl_status tl_read_word(const tl_place *at,
                        at->inside, field, known);
     return tl_fail(err, TL_ERR_FORMAT, "%s:%s unknown %s \"%.64s\"; it must be one of %s",
                    at->source, at->inside, field, word, known);
+}
+
+tl_status tl_read_model(const tl_place *at,
+                        const json_t *value,
+                        enum tl_shading_model *out,
+                        tl_error *err)
+{
+    int index = 0;
+    const tl_status status =
+        tl_read_word(at, "model", value, tl_model_words, TL_MODEL_COUNT, &index, err);
+    if (status == TL_OK)
+        *out = (enum tl_shading_model)index;
+    return status;
 }

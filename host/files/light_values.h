@@ -9,8 +9,12 @@
 /* Where a value stands, for sentences: "lights.json: lights[3] "key":" or the file alone. */
 typedef struct tl_place {
     const char *source;
-    char inside[96]; /* " lights[3] "key":"; "" outside lights */
+    char inside[112]; /* " lights[3] "key":"; "" outside lists */
 } tl_place;
+
+/* Of an item of a list, with its name where its field `name` has one. */
+tl_place tl_place_in(
+    const char *source, const char *list, size_t index, const json_t *item, const char *name);
 
 /* All fail with TL_ERR_FORMAT, and leave *out as it is. */
 
@@ -40,5 +44,10 @@ tl_status tl_read_word(const tl_place *at,
                        int word_count,
                        int *out,
                        tl_error *err);
+
+tl_status tl_read_model(const tl_place *at,
+                        const json_t *value,
+                        enum tl_shading_model *out,
+                        tl_error *err);
 
 #endif

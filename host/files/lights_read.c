@@ -16,17 +16,6 @@
 
 enum { KNOWN_VERSION = 1, MAX_LIGHTS = 10000000, MAX_WORDS = 32 };
 
-static tl_place place_of_light(const char *source, size_t index, const json_t *light)
-{
-    tl_place at = {.source = source};
-    const char *name = json_string_value(json_object_get(light, "name"));
-    if (name && name[0])
-        snprintf(at.inside, sizeof at.inside, " lights[%zu] \"%.60s\":", index, name);
-    else
-        snprintf(at.inside, sizeof at.inside, " lights[%zu]:", index);
-    return at;
-}
-
 /* Fields of the format that this version cannot light yet. Some have a value that asks for
  * nothing. */
 static const struct {
@@ -160,7 +149,7 @@ static tl_status read_light(const char *source,
                             tl_error *err)
 {
     tl_status status = TL_OK;
-    const tl_place at = place_of_light(source, index, object);
+    const tl_place at = tl_place_in(source, "lights", index, object, "name");
     tl_light light = tl_light_default();
     int type = 0;
     const char *key;
@@ -233,11 +222,7 @@ static tl_status read_version(const tl_place *at,
 
 static tl_status read_model(const tl_place *at, json_t *value, tl_light_set *set, tl_error *err)
 {
-    int index = set->model;
-    const tl_status status =
-        tl_read_word(at, "model", value, tl_model_words, TL_MODEL_COUNT, &index, err);
-    set->model = (enum tl_shading_model)index;
-    return status;
+    return tl_read_model(at, value, &set->model, err);
 }
 
 static tl_status read_shininess(const tl_place *at,

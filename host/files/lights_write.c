@@ -26,13 +26,18 @@ static void print_number(FILE *out, float value)
     fputs(strcmp(text, "-0") == 0 ? "-0.0" : text, out);
 }
 
-static void print_vector(FILE *out, const float value[3])
+static void print_numbers(FILE *out, const float *values, uint32_t count)
 {
-    for (int i = 0; i < 3; i++) {
+    for (uint32_t i = 0; i < count; i++) {
         fputs(i == 0 ? "[" : ", ", out);
-        print_number(out, value[i]);
+        print_number(out, values[i]);
     }
     fputc(']', out);
+}
+
+static void print_vector(FILE *out, const float value[3])
+{
+    print_numbers(out, value, 3);
 }
 
 /* A name may be cut within a character, which JSON cannot hold: its longest valid start is. */
@@ -49,11 +54,7 @@ static void print_name(FILE *out, const char *name)
 
 static void print_table(FILE *out, const tl_light_table *table)
 {
-    for (uint32_t i = 0; i < table->count; i++) {
-        fputs(i == 0 ? "[" : ", ", out);
-        print_number(out, table->values[i]);
-    }
-    fputc(']', out);
+    print_numbers(out, table->values, table->count);
 }
 
 /* What is written, and where to. */
@@ -175,6 +176,7 @@ static void print_sky(writing *w)
         else
             print_number(w->out, *(const float *)at);
     }
+    fputs(" }", w->out);
 }
 
 static void print_set(writing *w)
@@ -185,7 +187,6 @@ static void print_set(writing *w)
     print_vector(out, set->ambient);
     fputs(",\n  \"sky\": ", out);
     print_sky(w);
-    fputs(" }", out);
     if (set->model != (enum tl_shading_model)0)
         fprintf(out, ",\n  \"model\": \"%s\"", tl_model_words[set->model]);
     if (set->has_shininess) {

@@ -1,34 +1,9 @@
 #include "material_rows_read.h"
 
-#include "light_fields.h"
 #include "material_rows.h"
 #include "try.h"
 
-#include <stdio.h>
 #include <string.h>
-
-static tl_place place_of_row(const char *source, size_t index, const json_t *row)
-{
-    tl_place at = {.source = source};
-    const char *name = json_string_value(json_object_get(row, "material"));
-    if (name && name[0])
-        snprintf(at.inside, sizeof at.inside, " materials[%zu] \"%.50s\":", index, name);
-    else
-        snprintf(at.inside, sizeof at.inside, " materials[%zu]:", index);
-    return at;
-}
-
-static tl_status read_model(const tl_place *at,
-                            const json_t *value,
-                            enum tl_shading_model *out,
-                            tl_error *err)
-{
-    int index = *out;
-    const tl_status status =
-        tl_read_word(at, "model", value, tl_model_words, TL_MODEL_COUNT, &index, err);
-    *out = (enum tl_shading_model)index;
-    return status;
-}
 
 static tl_status read_index(const tl_place *at,
                             const json_t *value,
@@ -105,7 +80,7 @@ static tl_status read_row(
         else if (strcmp(key, "material") == 0)
             TRY(read_name(at, value, &row, err));
         else if (strcmp(key, "model") == 0)
-            TRY(read_model(at, value, &row.model, err));
+            TRY(tl_read_model(at, value, &row.model, err));
         else
             TRY(read_parameter(at, key, value, &row, err));
     }
@@ -127,7 +102,7 @@ static tl_status read_model_alone(const tl_place *at,
     json_object_foreach(object, key, value)
     {
         const tl_status status = strcmp(key, "model") == 0
-                                     ? read_model(&inside, value, &set->model, err)
+                                     ? tl_read_model(&inside, value, &set->model, err)
                                      : tl_unknown_field(&inside, key, words, 1, err);
         if (status != TL_OK)
             return status;
@@ -152,7 +127,7 @@ tl_status tl_read_materials(const tl_place *at,
                     json_array_size(materials), TL_MAX_MATERIALS));
     json_array_foreach(materials, i, row)
     {
-        const tl_place inside = place_of_row(at->source, i, row);
+        const tl_place inside = tl_place_in(at->source, "materials", i, row, "material");
         TRY(read_row(&inside, row, i, set, err));
     }
 done:

@@ -1,12 +1,31 @@
 #include "light_resources.h"
 
 #include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 static const float quarter_turn = 1.57079637f; /* as files have pi/2 */
 static const float brightest = 1e30f;
 static const float most_rotation = 1e6f; /* rad; beyond, a float's steps are coarse */
+
+tl_status tl_light_refuse(const tl_light *light,
+                          size_t index,
+                          const char *source,
+                          tl_error *err,
+                          const char *format,
+                          ...)
+{
+    const char *before = light->name[0] ? " \"" : "", *behind = light->name[0] ? "\"" : "";
+    char reason[512];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(reason, sizeof reason, format, args);
+    va_end(args);
+    return tl_fail(err, TL_ERR_FORMAT, "%s: lights[%zu]%s%s%s: %s", source, index, before,
+                   light->name, behind, reason);
+}
 
 /* Room for one more of `size` bytes. */
 static tl_status grow(void **array, size_t count, size_t size, tl_error *err)
@@ -91,30 +110,25 @@ static tl_status check_table(const tl_light_set *set,
     const tl_light *light = &set->lights[index];
     const int has_table = light->table > 0 && light->table <= set->table_count;
     if (light->falloff != TL_FALLOFF_TABLE && light->table > 0)
-        return tl_fail(
-            err, TL_ERR_FORMAT,
-            "%s: lights[%zu] \"%s\": \"lut\" is for a falloff table; remove it, or say "
-            "\"falloff\": \"lut\"",
-            source, index, light->name);
+        return tl_light_refuse(light, index, source, err,
+                               "\"lut\" is for a falloff table; remove it, or say "
+                               "\"falloff\": \"lut\"");
     if (light->falloff != TL_FALLOFF_TABLE)
         return TL_OK;
     if (!has_table)
-        return tl_fail(err, TL_ERR_FORMAT,
-                       "%s: lights[%zu] \"%s\": the falloff \"lut\" needs its table: \"lut\": "
-                       "[numbers, from distance 0 to the range]",
-                       source, index, light->name);
+        return tl_light_refuse(light, index, source, err,
+                               "the falloff \"lut\" needs its table: \"lut\": "
+                               "[numbers, from distance 0 to the range]");
     const tl_light_table *table = &set->tables[light->table - 1];
     if (table->count < TL_LEAST_SAMPLES || table->count > TL_MOST_SAMPLES)
-        return tl_fail(err, TL_ERR_FORMAT,
-                       "%s: lights[%zu] \"%s\": lut has %u numbers, it must have %d to %d",
-                       source, index, light->name, table->count, TL_LEAST_SAMPLES,
-                       TL_MOST_SAMPLES);
+        return tl_light_refuse(light, index, source, err,
+                               "lut has %u numbers, it must have %d to %d", table->count,
+                               TL_LEAST_SAMPLES, TL_MOST_SAMPLES);
     for (uint32_t i = 0; i < table->count; i++)
         if (!(table->values[i] >= 0.0f && table->values[i] <= TL_MOST_WEIGHT))
-            return tl_fail(err, TL_ERR_FORMAT,
-                           "%s: lights[%zu] \"%s\": lut[%u] is %g, it must be from 0 to %g",
-                           source, index, light->name, i, (double)table->values[i],
-                           (double)TL_MOST_WEIGHT);
+            return tl_light_refuse(light, index, source, err,
+                                   "lut[%u] is %g, it must be from 0 to %g", i,
+                                   (double)table->values[i], (double)TL_MOST_WEIGHT);
     return TL_OK;
 }
 
@@ -132,25 +146,19 @@ static tl_status check_up(const tl_light *light,
         along += (double)u[i] * (double)d[i];
     }
     if (!(length2 > 0.0))
-        return isnan(length2)
-                   ? tl_fail(err, TL_ERR_FORMAT, "%s: lights[%zu] \"%s\": up is no number",
-                             source, index, light->name)
-                   : TL_OK;
+        return isnan(length2) ? tl_light_refuse(light, index, source, err, "up is no number")
+                              : TL_OK;
     if (light->texture == 0)
-        return tl_fail(
-            err, TL_ERR_FORMAT,
-            "%s: lights[%zu] \"%s\": up says where the top of a texture is, and there "
-            "is none; remove it",
-            source, index, light->name);
+        return tl_light_refuse(light, index, source, err,
+                               "up says where the top of a texture is, and there "
+                               "is none; remove it");
     if (!(fabs(length2 - 1.0) <= 1e-3))
-        return tl_fail(err, TL_ERR_FORMAT,
-                       "%s: lights[%zu] \"%s\": up (%g, %g, %g) is not of length 1", source,
-                       index, light->name, (double)u[0], (double)u[1], (double)u[2]);
+        return tl_light_refuse(light, index, source, err, "up (%g, %g, %g) is not of length 1",
+                               (double)u[0], (double)u[1], (double)u[2]);
     if (light->type == TL_LIGHT_SPOT && !(length2 - along * along > least_sine2))
-        return tl_fail(err, TL_ERR_FORMAT,
-                       "%s: lights[%zu] \"%s\": up is along the direction of the light: the "
-                       "texture would have no top; choose another",
-                       source, index, light->name);
+        return tl_light_refuse(light, index, source, err,
+                               "up is along the direction of the light: the "
+                               "texture would have no top; choose another");
     return TL_OK;
 }
 
@@ -163,19 +171,17 @@ static tl_status check_texture(const tl_light_set *set,
     if (light->texture == 0)
         return TL_OK;
     if (light->texture > set->image_count)
-        return tl_fail(err, TL_ERR_FORMAT, "%s: lights[%zu] \"%s\": there is no image %u",
-                       source, index, light->name, light->texture);
+        return tl_light_refuse(light, index, source, err, "there is no image %u",
+                               light->texture);
     if (light->type == TL_LIGHT_DIRECTIONAL)
-        return tl_fail(
-            err, TL_ERR_FORMAT,
-            "%s: lights[%zu] \"%s\": a directional light has no \"texture\"; remove it", source,
-            index, light->name);
+        return tl_light_refuse(light, index, source, err,
+                               "a directional light has no \"texture\"; remove it");
     if (light->type == TL_LIGHT_SPOT && !(light->outer_cone < quarter_turn))
-        return tl_fail(
-            err, TL_ERR_FORMAT,
-            "%s: lights[%zu] \"%s\": outerConeAngle is %g; a texture is projected over "
+        return tl_light_refuse(
+            light, index, source, err,
+            "outerConeAngle is %g; a texture is projected over "
             "a cone, which must then be below pi/2: narrow it, or make it a point light",
-            source, index, light->name, (double)light->outer_cone);
+            (double)light->outer_cone);
     return TL_OK;
 }
 

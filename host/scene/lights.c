@@ -1,17 +1,12 @@
 #include "tilelight/lights.h"
 
 #include "light_resources.h"
+#include "light_words.h"
 #include "material_rows.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-static const char *const type_words[] = {
-#define TYPE_WORD(name, word) [name] = word,
-    TL_LIGHT_TYPES(TYPE_WORD)
-#undef TYPE_WORD
-};
 
 static const float pi = 3.14159274f; /* rounded up, so that a cone of pi itself is accepted */
 
@@ -63,10 +58,8 @@ static tl_status check_rule(
 {
     if (r->value >= r->least && r->value <= r->most)
         return TL_OK;
-    return tl_fail(err, TL_ERR_FORMAT,
-                   "%s: lights[%zu]%s%s%s: %s is %g, it must be from %g to %g", source, index,
-                   light->name[0] ? " \"" : "", light->name, light->name[0] ? "\"" : "",
-                   r->field, (double)r->value, (double)r->least, (double)r->most);
+    return tl_light_refuse(light, index, source, err, "%s is %g, it must be from %g to %g",
+                           r->field, (double)r->value, (double)r->least, (double)r->most);
 }
 
 /* Farther away, squares of distances overflow. */
@@ -115,25 +108,20 @@ static tl_status check_range(const tl_light *light,
     if (light->type == TL_LIGHT_DIRECTIONAL)
         return TL_OK;
     if (!(light->range > 0.0f))
-        return tl_fail(err, TL_ERR_FORMAT,
-                       "%s: lights[%zu] \"%s\": range is %g m, it must be above 0", source,
-                       index, light->name, (double)light->range);
+        return tl_light_refuse(light, index, source, err, "range is %g m, it must be above 0",
+                               (double)light->range);
     if (!(light->begin >= 0.0f && light->begin <= light->range))
-        return tl_fail(
-            err, TL_ERR_FORMAT,
-            "%s: lights[%zu] \"%s\": begin is %g m, it must be from 0 to the range, %g", source,
-            index, light->name, (double)light->begin, (double)light->range);
+        return tl_light_refuse(light, index, source, err,
+                               "begin is %g m, it must be from 0 to the range, %g",
+                               (double)light->begin, (double)light->range);
     if (light->falloff != TL_FALLOFF_LINEAR && light->begin > 0.0f)
-        return tl_fail(
-            err, TL_ERR_FORMAT,
-            "%s: lights[%zu] \"%s\": begin is for a linear falloff; remove it, or say "
-            "\"falloff\": \"linear\"",
-            source, index, light->name);
+        return tl_light_refuse(light, index, source, err,
+                               "begin is for a linear falloff; remove it, or say "
+                               "\"falloff\": \"linear\"");
     if (light->falloff != TL_FALLOFF_INVERSE_SQUARE && isinf(light->range))
-        return tl_fail(err, TL_ERR_FORMAT, "%s: lights[%zu] \"%s\": a %s needs a range", source,
-                       index, light->name,
-                       light->falloff == TL_FALLOFF_LINEAR ? "linear falloff"
-                                                           : "falloff table");
+        return tl_light_refuse(light, index, source, err, "a %s needs a range",
+                               light->falloff == TL_FALLOFF_LINEAR ? "linear falloff"
+                                                                   : "falloff table");
     return TL_OK;
 }
 
@@ -146,11 +134,11 @@ static tl_status check_direction(const tl_light *light,
     const float length2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
     if (light->type == TL_LIGHT_POINT || fabsf(length2 - 1.0f) <= 1e-3f)
         return TL_OK;
-    return tl_fail(err, TL_ERR_FORMAT,
-                   "%s: lights[%zu] \"%s\": direction (%g, %g, %g) of a %s light is not of "
-                   "length 1",
-                   source, index, light->name, (double)d[0], (double)d[1], (double)d[2],
-                   type_words[light->type]);
+    return tl_light_refuse(light, index, source, err,
+                           "direction (%g, %g, %g) of a %s light is not of "
+                           "length 1",
+                           (double)d[0], (double)d[1], (double)d[2],
+                           tl_light_type_words[light->type]);
 }
 
 tl_status tl_light_set_check(const tl_light_set *set, const char *source, tl_error *err)

@@ -77,8 +77,8 @@ typedef struct tl_light {
     /* 1 + index of the set's images that colours are multiplied with; point, and spot with an
      * outer cone below pi/2; 0: none */
     uint32_t texture;
-    float up[3]; /* unit, world space: which way the top of the texture is; 0 0 0: the default,
-                         docs/conventions.md */
+    /* unit, world space: which way the top of the texture is; 0 0 0: the default, docs/conventions.md */
+    float up[3];
     char name[64]; /* for messages; may be empty */
 } tl_light;
 
