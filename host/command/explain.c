@@ -38,8 +38,7 @@ static const struct argp_option options_table[] = {
      0},
     {"explain-costs", OPTION_COSTS, NULL, 0,
      "--explain, and what each effect costs in time: the frame is shaded with and without it "
-     "by "
-     "turns, 7 times each, and kernels without it are built where the cache has none: a few "
+     "by turns, 7 times each, and kernels without it are built where the cache has none: a few "
      "seconds",
      0},
     {"explain-map", OPTION_MAP, "FILE.png", 0,
@@ -111,29 +110,36 @@ void explained_clear(explained *e)
     *e = (explained){0};
 }
 
-static tl_status write_map(job *j, const explained *e, const char *path, tl_error *err)
+static tl_status write_map(job *j,
+                           const explained *e,
+                           const map_scale *scale,
+                           const char *key,
+                           const char *path,
+                           tl_error *err)
 {
-    const map_scale scale = explain_map_scale(e);
-    tl_status status = TL_OK;
-    TRY(explain_map_write(j, e, &scale, path, err));
-    if (j->report)
-        job_report(j, "explain_map", explain_map_json(&scale, path));
-    else
-        explain_map_print(&scale, path);
-done:
+    const tl_status status = explain_map_write(j, e, scale, path, err);
+    if (status == TL_OK && j->report)
+        job_report(j, key, explain_map_json(scale, path));
+    else if (status == TL_OK)
+        explain_map_print(scale, path);
     return status;
 }
 
-static tl_status write_cost_map(job *j, const explained *e, const char *path, tl_error *err)
+static tl_status write_maps(job *j,
+                            const explain_options *options,
+                            const explained *e,
+                            tl_error *err)
 {
     map_scale scale;
     tl_status status = TL_OK;
-    TRY(explain_cost_scale(e, &scale, err));
-    TRY(explain_map_write(j, e, &scale, path, err));
-    if (j->report)
-        job_report(j, "explain_map_costs", explain_map_json(&scale, path));
-    else
-        explain_map_print(&scale, path);
+    if (options->map) {
+        scale = explain_map_scale(e);
+        TRY(write_map(j, e, &scale, "explain_map", options->map, err));
+    }
+    if (options->cost_map) {
+        TRY(explain_cost_scale(e, &scale, err));
+        TRY(write_map(j, e, &scale, "explain_map_costs", options->cost_map, err));
+    }
 done:
     return status;
 }
@@ -150,10 +156,7 @@ tl_status explain_tell(job *j,
     else if (options->text)
         explain_print(j, e);
     const double start = tl_seconds();
-    if (options->map)
-        TRY(write_map(j, e, options->map, err));
-    if (options->cost_map)
-        TRY(write_cost_map(j, e, options->cost_map, err));
+    TRY(write_maps(j, options, e, err));
     if (options->map || options->cost_map)
         tl_timings_end(&j->timings, "map", start);
 done:

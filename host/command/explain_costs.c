@@ -92,19 +92,12 @@ done:
     return status;
 }
 
-static int ascending(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static double median_of(const double *runs, size_t tiles, size_t tile)
 {
     double times[COST_RUNS];
     for (size_t i = 0; i < COST_RUNS; i++)
         times[i] = runs[i * tiles + tile];
-    qsort(times, COST_RUNS, sizeof *times, ascending);
-    return times[COST_RUNS / 2];
+    return tl_summarize(times, COST_RUNS).median;
 }
 
 tl_status explain_time_tiles(const job *j, tl_lighting *lighting, explained *e, tl_error *err)

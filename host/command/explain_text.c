@@ -2,7 +2,7 @@
 
 #include "brdf_table.h"
 #include "explain_costs.h"
-#include "light_fields.h"
+#include "light_words.h"
 #include "printable.h"
 
 #include <inttypes.h>
@@ -113,13 +113,23 @@ static void add_row(char *text, const tl_material_row *row)
         add(text, " index %" PRIu32, row->index);
 }
 
-/* Rows that surfaces have, each once, and what they reflect by. */
-static void add_rows(char *text, const job *j, const tl_brdf_table *table)
+/* What surfaces reflect by; false where it cannot be told, which no frame that was lit has. */
+static bool find_table(const job *j, tl_brdf_table *out)
 {
+    tl_error ignored;
+    return tl_brdf_table_make(j->gbuffer, &j->lights, out, &ignored) == TL_OK;
+}
+
+/* Rows that surfaces have, each once, and what they reflect by. */
+static void add_rows(char *text, const job *j)
+{
+    tl_brdf_table table;
     const char *before = "";
+    if (!find_table(j, &table))
+        return;
     for (size_t row = 0; row < j->lights.material_count; row++)
         for (int i = 0; i < TL_BRDF_COUNT; i++)
-            if (table->occurs[i] && table->sources[i] == (int)row) {
+            if (table.occurs[i] && table.sources[i] == (int)row) {
                 add(text, "%smaterial", before);
                 add_row(text, &j->lights.materials[row]);
                 add(text, " by %s", tl_model_words[j->lights.materials[row].model]);
@@ -129,11 +139,14 @@ static void add_rows(char *text, const job *j, const tl_brdf_table *table)
 }
 
 /* Models that surfaces have, beside phong; the frame's own where some have no row. */
-static void add_models(char *text, const tl_brdf_table *table)
+static void add_models(char *text, const job *j)
 {
+    tl_brdf_table table;
     const char *before = "";
+    if (!find_table(j, &table))
+        return;
     for (int model = 0; model < TL_MODEL_COUNT; model++)
-        if (model != TL_MODEL_PHONG && (table->models >> model & 1u)) {
+        if (model != TL_MODEL_PHONG && (table.models >> model & 1u)) {
             add(text, "%s%s", before[0] ? before : "shading model ", tl_model_words[model]);
             before = ", ";
         }
@@ -160,15 +173,11 @@ static void add_gradient(char *text, const tl_light_set *lights)
 
 static void add_setting(char *text, const job *j, const explained *e, tl_cause cause)
 {
-    tl_brdf_table table;
-    tl_error unlikely; /* it has lit the frame */
-    if (tl_brdf_table_make(j->gbuffer, &j->lights, &table, &unlikely) != TL_OK)
-        return;
     switch (cause) {
     case TL_CAUSE_AMBIENT: add_ambient(text, j, e); return;
     case TL_CAUSE_SKY: add_color(text, "sky", j->lights.sky); return;
-    case TL_CAUSE_MODEL: add_models(text, &table); return;
-    case TL_CAUSE_ROWS: add_rows(text, j, &table); return;
+    case TL_CAUSE_MODEL: add_models(text, j); return;
+    case TL_CAUSE_ROWS: add_rows(text, j); return;
     case TL_CAUSE_SKY_GRADIENT: add_gradient(text, &j->lights); return;
     case TL_CAUSE_SKY_IMAGE:
         add(text, "sky");
