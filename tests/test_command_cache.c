@@ -128,8 +128,7 @@ static void folders_of_the_driver(void **state)
                "touch tilelight-driver-dead/lock; cd ..; "
                "export XDG_RUNTIME_DIR=$PWD/run T; " CACHE(
                    "cache") "flock run/tilelight-driver-used/lock sh -c '" LIGHT_ONE_PASS
-                            "1.exr'; "
-                            "echo $(ls run); rm -r run",
+                            "1.exr'; echo $(ls run); rm -r run",
                0, "tilelight-driver-new tilelight-driver-used\n", "first kernel");
 }
 

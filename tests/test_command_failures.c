@@ -48,8 +48,7 @@ static const struct {
      4, "nowhere", 1},
     {"no room keeps the old picture",
      "echo old >c.exr; trap '' XFSZ; (ulimit -f 8; $T render $D/nine-lights.gltf --size "
-     "256x256 "
-     "--precision reference -o c.exr); r=$?; [ $(cat c.exr) = old ] && exit $r",
+     "256x256 --precision reference -o c.exr); r=$?; [ $(cat c.exr) = old ] && exit $r",
      5, "c.exr", 1},
 };
 

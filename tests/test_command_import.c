@@ -94,9 +94,11 @@ static void names_cannot_steer_a_terminal(void **state)
     foreign_add(&file.parts[0], "c\x1b[2J\n", EXR_PIXEL_UINT, frame.depth);
     foreign_write(&file, "steering.exr");
     expect_run("$T info steering.exr", 0, "part 0      \"p?[2J\", ", "");
-    expect_run("$T info steering.exr", 0, "\nc?[2J?                                   uint", "");
-    expect_run("$T convert steering.exr --fov 60 --map depth=\"$(printf 'c\\033[2J')\" -o x.exr",
-               3, "", "\"c?[2J\"");
+    expect_run("$T info steering.exr", 0, "\nc?[2J?                                   uint",
+               "");
+    expect_run(
+        "$T convert steering.exr --fov 60 --map depth=\"$(printf 'c\\033[2J')\" -o x.exr", 3,
+        "", "\"c?[2J\"");
 }
 
 static void info_says_what_is_there(void **state)
@@ -189,10 +191,13 @@ static void wrong_use_is_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(light_takes_them),    cmocka_unit_test(own_files_may_be_mapped),
-        cmocka_unit_test(others_take_them),    cmocka_unit_test(info_says_what_is_there),
+        cmocka_unit_test(light_takes_them),
+        cmocka_unit_test(own_files_may_be_mapped),
+        cmocka_unit_test(others_take_them),
+        cmocka_unit_test(info_says_what_is_there),
         cmocka_unit_test(names_cannot_steer_a_terminal),
-        cmocka_unit_test(counts_are_reported), cmocka_unit_test(wrong_use_is_refused),
+        cmocka_unit_test(counts_are_reported),
+        cmocka_unit_test(wrong_use_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

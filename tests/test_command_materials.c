@@ -67,8 +67,7 @@ static void what_leads_nowhere(void **state)
     } cases[] = {
         {"{ \"material\": \"Gold\" }", "g.exr", 3,
          "materials[0] \"Gold\" of the lights: the capture has no material of this name; it "
-         "has "
-         "\"floor\", \"middle sphere\""},
+         "has \"floor\", \"middle sphere\""},
         {"{ \"material\": \"ring\" }, { \"index\": 3 }", "g.exr", 3,
          "materials[0] \"ring\" of the lights: index 3 has a row already, materials[1]"},
         {"{ \"material\": \"ring\" }", "plain.exr", 3,

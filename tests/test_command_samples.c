@@ -81,11 +81,9 @@ static void one_sample_is_the_pixel(void **state)
     (void)state;
     expect_run("$T render $D/hard-cases.glb --size 36x20 --samples 1 -o one.exr && "
                "$T render $D/hard-cases.glb --size 36x20 -o none.exr && $T capture "
-               "$D/hard-cases.glb --size "
-               "36x20 "
-               "--samples 1 -o one.g.exr && $T capture $D/hard-cases.glb --size 36x20 -o "
-               "none.g.exr && "
-               "cmp one.exr none.exr && cmp one.g.exr none.g.exr",
+               "$D/hard-cases.glb --size 36x20 --samples 1 -o one.g.exr && $T capture "
+               "$D/hard-cases.glb --size 36x20 -o none.g.exr && cmp one.exr none.exr && cmp "
+               "one.g.exr none.g.exr",
                0, "", "");
 }
 
@@ -131,9 +129,8 @@ static void layouts_carry_samples(void **state)
             command, sizeof command,
             "$T convert g.exr -o h.exr --layout %s && $T info h.exr && $T light h.exr -o "
             "pixels.exr && $T convert h.exr -o back.exr --layout float && $T info back.exr && "
-            "$T "
-            "render $D/nine-lights.gltf --size 72x40 --layout %s -o samples.exr && $T render "
-            "$D/nine-lights.gltf --size 36x20 --samples 4 --layout %s -o rendered.exr",
+            "$T render $D/nine-lights.gltf --size 72x40 --layout %s -o samples.exr && $T "
+            "render $D/nine-lights.gltf --size 36x20 --samples 4 --layout %s -o rendered.exr",
             layouts[i], layouts[i], layouts[i]);
         const program_run *run = expect_run(command, 0, "2 x 2 for each pixel", "");
         const char *first = strstr(run->out, "2 x 2 for each pixel");
@@ -148,10 +145,9 @@ static void other_commands_take_samples_as_pixels(void **state)
     (void)state;
     expect_run(
         "$T capture $D/hard-cases.glb --size 18x10 --samples 4 -o g.exr && $T scatter g.exr "
-        "--count "
-        "20 -o l.json && $T light g.exr --lights l.json -o lit.exr && $T render "
-        "$D/hard-cases.glb "
-        "--size 18x10 --samples 4 --scatter 20 -o render.exr && $T check --gbuffer g.exr",
+        "--count 20 -o l.json && $T light g.exr --lights l.json -o lit.exr && $T render "
+        "$D/hard-cases.glb --size 18x10 --samples 4 --scatter 20 -o render.exr && $T check "
+        "--gbuffer g.exr",
         0, "", "");
     expect_same("lit.exr", "render.exr");
 }

@@ -138,10 +138,8 @@ static const struct argp_option fixed_options[] = {
      1},
     {"capture", OPTION_CAPTURE, "FILE", 0,
      "With --baselines: a capture with point lights inside, in place of a scene. Times are "
-     "also "
-     "told per pair of a pixel and a light that plain tiles of 16 px compute (their frustum, "
-     "and "
-     "their nearest and farthest depth)",
+     "also told per pair of a pixel and a light that plain tiles of 16 px compute (their "
+     "frustum, and their nearest and farthest depth)",
      1},
     {"quick", OPTION_QUICK, NULL, 0,
      "With --baselines: in less than 45 s where kernels are compiled; what takes more than a "
@@ -149,26 +147,21 @@ static const struct argp_option fixed_options[] = {
      1},
     {"effects", OPTION_EFFECTS, NULL, 0,
      "Light five frames, from the plainest to the richest, with the effects that they call for "
-     "and "
-     "with all of them; and frames with an effect that no tile uses, and without it. Pictures "
-     "are "
-     "compared bit for bit",
+     "and with all of them; and frames with an effect that no tile uses, and without it. "
+     "Pictures are compared bit for bit",
      1},
     {"growth", OPTION_GROWTH, NULL, 0,
      "From 64 to 65536 lights and from 640x360 to 7680x4320 pixels: what a frame's time and "
-     "memory "
-     "grow with, as prices of a pixel, a pair, a light and a tile",
+     "memory grow with, as prices of a pixel, a pair, a light and a tile",
      1},
     {"startup", OPTION_STARTUP, NULL, 0,
      "Start the program on a small frame, with nothing compiled and with all compiled: how "
-     "long "
-     "until its first kernel begins",
+     "long until its first kernel begins",
      1},
     {NULL, 0, NULL, 0, "Sampling:", 3},
     {"samples", OPTION_SAMPLES, "N", 0,
      "At least so many frames a case, after one that warms up (default 10; with --growth 5, "
-     "--effects "
-     "30)",
+     "--effects 30)",
      3},
     {"deviation", OPTION_DEVIATION, "PERCENT", 0,
      "Enough when half the median's 95 % interval is below this (default 1)", 3},
@@ -182,10 +175,8 @@ static const struct argp_option fixed_options[] = {
     {"csv", OPTION_CSV, "FILE", 0, "A line a case (- is standard output)", 4},
     {"compare", OPTION_COMPARE, "FILE", 0,
      "Say of each case whether it is faster, slower or the same as in a report that --json "
-     "wrote, "
-     "or undecided. The intervals of both medians make one of their ratio: faster or slower "
-     "where "
-     "all of it is beyond the threshold, the same where all of it is within",
+     "wrote, or undecided. The intervals of both medians make one of their ratio: faster or "
+     "slower where all of it is beyond the threshold, the same where all of it is within",
      4},
     {"threshold", OPTION_THRESHOLD, "PERCENT", 0, "Of --compare (default 5)", 4},
     {"fail-if-slower", OPTION_FAIL, NULL, 0, "Exit with status 1 where a case is slower", 4},

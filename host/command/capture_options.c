@@ -60,8 +60,7 @@ static const struct argp_option options_table[] = {
      "A variant of the file's materials (default: none of them)", 0},
     {"materials", OPTION_MATERIALS, NULL, 0,
      "Also the index of each pixel's material, for lights files with \"materials\", its "
-     "tangent "
-     "where there are any, and the materials' names",
+     "tangent where there are any, and the materials' names",
      0},
     {"time", OPTION_TIME, "SECONDS", 0,
      "The moment of an animation, at its end if it has ended before (default: the scene as "

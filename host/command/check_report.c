@@ -89,8 +89,7 @@ void check_print(const char *what, const check_summary *s)
     print_worst(&s->results[s->worst]);
     if (s->excused_count == s->failed_count)
         puts("Every one of them is within what pow(n.h, exponent) loses by rounding n.h: take "
-             "the "
-             "cosine by its sine near the peak, or allow it with --cosine textbook.");
+             "the cosine by its sine near the peak, or allow it with --cosine textbook.");
 }
 
 static json_t *three_json(const double values[3])

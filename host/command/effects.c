@@ -29,9 +29,8 @@ static const struct argp argp = {
     .parser = parse,
     .doc =
         "Lists the effects that lighting computes: what each is, what a frame must have for "
-        "it, "
-        "the planes it reads, and what switches it. `tilelight light --explain' says which a "
-        "frame called for, and why.",
+        "it, the planes it reads, and what switches it. `tilelight light --explain' says which "
+        "a frame called for, and why.",
     .children = children,
 };
 

@@ -40,8 +40,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
 static const struct argp_option options_table[] = {
     {"kernel", OPTION_KERNEL, "FILE.cl", 0,
      "A shading kernel of your own in place of tilelight's; docs/your-kernel.md says what it "
-     "is "
-     "given (- is standard input)",
+     "is given (- is standard input)",
      0},
     {"entry", OPTION_ENTRY, "NAME", 0, "The kernel's name in that file", 0},
     {"items", OPTION_ITEMS, "tile|pixel", 0,

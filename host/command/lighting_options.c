@@ -106,8 +106,7 @@ static const struct argp_option options_table[] = {
      "A light without a range ends where it gives this much (default 0: never)", 0},
     {"memory", OPTION_MEMORY, "MB", 0,
      "Device memory that lighting may take beside the frame itself; a frame that needs more is "
-     "lit "
-     "in bands, with the same bits (default 0: what the device has)",
+     "lit in bands, with the same bits (default 0: what the device has)",
      0},
     {0},
 };

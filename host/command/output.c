@@ -135,8 +135,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
 static const struct argp_option options_table[] = {
     {"output", 'o', "FILE", 0,
      "The picture: .png, .exr (linear radiance), or - for a PNG on standard output; may be "
-     "given "
-     "several times",
+     "given several times",
      0},
     {"exposure", OPTION_EXPOSURE, "STOPS|auto", 0,
      "What PNGs are brightened by, -64 to 64, or auto: to a log-average of 0.18 (default 0)",
