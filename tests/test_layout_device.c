@@ -1,6 +1,6 @@
 /* Does the device read every layout to the same bits as the host?
  *
- * A kernel a layout, each with its row as a constant, as shading has it; every number of every pixel of
+ * A program a layout, with its row as a constant, as shading has it; every number of every pixel of
  * hard frames is compared, in vectors and in single lanes, perspective and orthographic. */
 #include "layout_frames.h"
 
@@ -9,75 +9,66 @@
 #include "options.h"
 #include "packing.h"
 
-enum { READ_COUNT = 19, TEXT_SIZE = 8192, FLAGS_SIZE = 512 };
+enum { READ_COUNT = 19, FLAGS_SIZE = 512 };
 
-/* PROBE(row of the table, planes of the frame). Global size: blocks across, blocks down. Writes
- * [READ_COUNT][rows][pitch]. */
+/* Planes of the frame. Global size: blocks across, blocks down. Writes [READ_COUNT][rows][pitch]. */
 static const char probe_text[] =
     "#define STORE(v) store_block(v, out + size * n++ + at, frame.pitch)\n"
     "#define STORE_THREE(v) STORE((v).x); STORE((v).y); STORE((v).z)\n"
-    "#define PROBE(index, present)                                                      \\\n"
-    "    __kernel void probe_##index(const tl_frame frame, __global const uchar *planes, \\\n"
-    "                                __global float *out)                                \\\n"
-    "    {                                                                               \\\n"
-    "        const tl_needs needs = {present, 0, 0, TL_ORTHOGRAPHIC, index};             \\\n"
-    "        const tl_layout layout = tl_layouts[index];                                 \\\n"
-    "        const uint column = get_global_id(0) * BLOCK_COLUMNS;                       \\\n"
-    "        const uint row = get_global_id(1) * BLOCK_ROWS;                             \\\n"
-    "        const size_t size = (size_t)frame.rows * frame.pitch;                       \\\n"
-    "        const size_t at = (size_t)row * frame.pitch + column;                       \\\n"
-    "        const tl_words words = load_words(&layout, planes, size, at, frame.pitch);  \\\n"
-    "        const vec3 p = position_of(&frame, needs, &layout, &words,                  \\\n"
-    "                                   LANE_COLUMN + (scalar)column,                    \\\n"
-    "                                   LANE_ROW + (scalar)row);                         \\\n"
-    "        const pixel in = pixel_of(needs, &layout, &words, -p.z);                    \\\n"
-    "        uint n = 0;                                                                 \\\n"
-    "        STORE_THREE(p);                                                             \\\n"
-    "        STORE_THREE(in.normal);                                                     \\\n"
-    "        STORE_THREE(in.albedo);                                                     \\\n"
-    "        STORE_THREE(in.specular);                                                   \\\n"
-    "        STORE_THREE(in.emissive);                                                   \\\n"
-    "        STORE(in.shininess);                                                        \\\n"
-    "        STORE(in.metallic);                                                         \\\n"
-    "        STORE(in.roughness);                                                        \\\n"
-    "        STORE(in.occlusion);                                                        \\\n"
-    "    }\n";
+    "__kernel void probe(const tl_frame frame, __global const uchar *planes,\n"
+    "                    __global float *out)\n"
+    "{\n"
+    "    const tl_needs needs = needs_of_build();\n"
+    "    const tl_layout layout = tl_layouts[TL_LAYOUT];\n"
+    "    const uint column = get_global_id(0) * BLOCK_COLUMNS;\n"
+    "    const uint row = get_global_id(1) * BLOCK_ROWS;\n"
+    "    const size_t size = (size_t)frame.rows * frame.pitch;\n"
+    "    const size_t at = (size_t)row * frame.pitch + column;\n"
+    "    const tl_words words = load_words(&layout, planes, size, at, frame.pitch);\n"
+    "    const vec3 p = position_of(&frame, needs, &layout, &words,\n"
+    "                               LANE_COLUMN + (scalar)column, LANE_ROW + (scalar)row);\n"
+    "    const pixel in = pixel_of(needs, &layout, &words, -p.z);\n"
+    "    uint n = 0;\n"
+    "    STORE_THREE(p);\n"
+    "    STORE_THREE(in.normal);\n"
+    "    STORE_THREE(in.albedo);\n"
+    "    STORE_THREE(in.specular);\n"
+    "    STORE_THREE(in.emissive);\n"
+    "    STORE(in.shininess);\n"
+    "    STORE(in.metallic);\n"
+    "    STORE(in.roughness);\n"
+    "    STORE(in.occlusion);\n"
+    "}\n";
 
-/* What is built: TL_LAYOUT is that of the embedded kernels, which are not run. */
 typedef struct variant {
     uint32_t width, orthographic, present;
 } variant;
 
-static void add_probes(char text[TEXT_SIZE], uint32_t present)
+/* What a build has is constant in it: a program a layout. */
+static cl_program build_probe(const tl_device *device,
+                              const variant *v,
+                              enum tl_layout_name layout)
 {
-    int length = snprintf(text, TEXT_SIZE, "%s", probe_text);
-    for (int layout = 0; layout < TL_LAYOUT_COUNT; layout++)
-        length += snprintf(text + length, (size_t)(TEXT_SIZE - length), "PROBE(%d, %uu)\n",
-                           layout, present & tl_layout_planes((enum tl_layout_name)layout));
-}
-
-static cl_program build_probes(const tl_device *device, const variant *v)
-{
-    char text[TEXT_SIZE], flags[FLAGS_SIZE], log[4096] = "";
-    const char *texts[] = {tl_kernel_text, text};
+    char flags[FLAGS_SIZE], log[4096] = "";
+    const char *texts[] = {tl_kernel_text, probe_text};
+    const size_t lengths[] = {TL_KERNEL_HEADERS_LENGTH, sizeof probe_text - 1};
     cl_int code;
-    add_probes(text, v->present);
     snprintf(
         flags, sizeof flags,
         "-cl-std=CL1.2 -w%s -D TL_WIDTH=%u -D TL_BY_PIXEL=0 -D TL_REAL_DOUBLE=0 "
-        "-D TL_PRECISE_POWER=0 -D TL_ORTHOGRAPHIC=%u -D TL_LAYOUT=0 -D TL_PRESENT=%u "
+        "-D TL_PRECISE_POWER=0 -D TL_ORTHOGRAPHIC=%u -D TL_LAYOUT=%d -D TL_PRESENT=%u "
         "-D TL_SPECULAR=0 -D TL_FALLOFFS_USED=1 -D TL_MODEL=0 -D TL_MODELS_USED=1u -D "
         "TL_SPOTS=0 -D TL_ONE_COLOR=0 "
         "-D TL_AMBIENT=1 -D TL_IDLE=0 -D TL_CHOICES=0 -D TL_FIXED_EXPONENT=0 -D TL_TIMED=0 "
         "-D TL_SHAPES=0 -D TL_SKY=0",
         device->rounds_divide ? " -cl-fp32-correctly-rounded-divide-sqrt" : "", v->width,
-        v->orthographic, v->present);
-    cl_program program = clCreateProgramWithSource(device->context, 2, texts, NULL, &code);
+        v->orthographic, (int)layout, v->present & tl_layout_planes(layout));
+    cl_program program = clCreateProgramWithSource(device->context, 2, texts, lengths, &code);
     assert_int_equal(code, CL_SUCCESS);
     if (clBuildProgram(program, 1, &device->id, flags, NULL, NULL) != CL_SUCCESS) {
         clGetProgramBuildInfo(program, device->id, CL_PROGRAM_BUILD_LOG, sizeof log - 1, log,
                               NULL);
-        fail_msg("the probes do not compile:\n%s", log);
+        fail_msg("the probe does not compile:\n%s", log);
     }
     return program;
 }
@@ -93,10 +84,8 @@ static void run_probe(const tl_device *device,
     const size_t out_size = READ_COUNT * pixels * sizeof *out;
     const size_t across = v->width == 1 ? 1 : 4, down = v->width == 16 ? 4 : 1;
     const size_t blocks[2] = {HARD_COLUMNS / across, HARD_ROWS / down};
-    char name[32];
     cl_int code[3];
-    snprintf(name, sizeof name, "probe_%d", g->layout);
-    cl_kernel probe = clCreateKernel(program, name, &code[0]);
+    cl_kernel probe = clCreateKernel(program, "probe", &code[0]);
     cl_mem planes = clCreateBuffer(device->context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR,
                                    pixels * tl_gbuffer_pixel_size(g), g->planes, &code[1]);
     cl_mem read = clCreateBuffer(device->context, CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR,
@@ -136,7 +125,6 @@ static void read_on_host(const tl_gbuffer *g,
 }
 
 static void layout_agrees(const tl_device *device,
-                          cl_program program,
                           const variant *v,
                           const tl_gbuffer *from,
                           enum tl_layout_name layout)
@@ -159,7 +147,9 @@ static void layout_agrees(const tl_device *device,
                             .layout = layout};
     float *out = calloc(READ_COUNT * pixels, sizeof *out);
     assert_non_null(out);
+    cl_program program = build_probe(device, v, layout);
     run_probe(device, program, v, g, &frame, out);
+    clReleaseProgram(program);
     for (uint32_t i = 0; i < HARD_PIXELS; i++) {
         const uint32_t column = i % HARD_COLUMNS, row = i / HARD_COLUMNS;
         float want[READ_COUNT];
@@ -179,13 +169,11 @@ static void layout_agrees(const tl_device *device,
 static void every_layout_agrees(const tl_device *device, const variant *v, size_t hard)
 {
     const tl_camera camera = hard_camera(hard);
-    cl_program program = build_probes(device, v);
     tl_gbuffer *from = hard_layout_frame(&camera, v->present, 42);
     for (int layout = 0; layout < TL_LAYOUT_COUNT; layout++)
         if (!(v->present & TL_GROUP_PHONG) || layout != TL_LAYOUT_DXR)
-            layout_agrees(device, program, v, from, (enum tl_layout_name)layout);
+            layout_agrees(device, v, from, (enum tl_layout_name)layout);
     tl_gbuffer_destroy(from);
-    clReleaseProgram(program);
 }
 
 /* Cameras of layout_frames.h: 1 has far/near = 1e7, 9 is orthographic with near behind the eye. */
