@@ -152,7 +152,7 @@ typedef struct arithmetic {
     wide displaced;
     /* Of each term: falloff 6u (falloff.h), N.L 6u, colours 4u, and 1u for each later sum. */
     wide term;
-    wide lobe; /* times 33: specular.h */
+    wide lobe; /* times 40: specular.h */
 } arithmetic;
 
 static const wide u = 0x1p-24L;
@@ -203,7 +203,7 @@ static v3 radiance(const tl_gbuffer *g,
                           light->intensity;
         const wide lobe = n_dot_h > 0 ? powl(n_dot_h, s.shininess) : 0;
         /* The normalised lobe's cosine turns too, but is not above 1. */
-        const wide steep = turn * (1 + sqrtl(s.shininess) + normalized) + by->lobe * u * 33;
+        const wide steep = turn * (1 + sqrtl(s.shininess) + normalized) + by->lobe * u * 40;
         for (int i = 0; i < 3; i++) {
             const wide diffuse = light->color[i] * s.diffuse.v[i] * light->diffuse;
             wide specular = light->color[i] * s.specular.v[i] * light->specular;
