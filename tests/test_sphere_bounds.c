@@ -1,76 +1,15 @@
 /* Does tl_sphere_bounds keep every pixel whose ray meets the sphere, and at most one more per side?
  *
- * The oracle works in 128-bit floats (113 bits of mantissa, libquadmath) and by angles instead of
- * slopes: the disc of each axis spans the directions theta +- asin(r/D), cut at the near and the
- * far plane. Its own error is below 2^-90 of its terms, far under a pixel's thousandth. */
+ * tests/oracle/sphere.h says what is met. */
 #include "testing.h"
 
+#include "oracle/sphere.h"
 #include "tilelight/bounds.h"
 
-#include <quadmath.h>
-
-typedef __float128 wide;
-
-typedef struct span {
-    wide low, high;
-    int empty;
-} span;
-
-static void widen(span *s, wide slope)
+static tl_span oracle(const tl_camera *camera, float center, float center_z, float radius)
 {
-    if (slope < s->low)
-        s->low = slope;
-    if (slope > s->high)
-        s->high = slope;
-}
-
-/* Where the circle crosses a plane of constant depth, both sides. */
-static void add_plane(span *s, wide c, wide depth, wide r, wide plane, int orthographic)
-{
-    const wide offset = plane - depth;
-    const wide half2 = (r - offset) * (r + offset);
-    if (half2 < 0)
-        return;
-    const wide half = sqrtq(half2), scale = orthographic ? 1 : plane;
-    widen(s, (c - half) / scale);
-    widen(s, (c + half) / scale);
-}
-
-/* Tangent points from the eye, by angles from the view axis. */
-static void add_tangents(span *s, wide c, wide depth, wide r, wide near, wide far)
-{
-    const wide d2 = c * c + depth * depth;
-    const wide length2 = d2 - r * r;
-    if (length2 <= 0)
-        return;
-    const wide theta = atan2q(c, depth), phi = asinq(r / sqrtq(d2));
-    for (int side = -1; side <= 1; side += 2) {
-        const wide angle = theta + side * phi;
-        const wide at = sqrtq(length2) * cosq(angle);
-        if (at >= near && at <= far)
-            widen(s, tanq(angle));
-    }
-}
-
-static span oracle(const tl_camera *camera, float center, float center_z, float radius)
-{
-    const wide c = center, depth = -(wide)center_z, r = radius, near = camera->near;
-    const wide far = camera->far;
-    const int orthographic = camera->projection == TL_ORTHOGRAPHIC;
-    span s = {HUGE_VALQ, -HUGE_VALQ, 0};
-    s.empty = depth + r < near || depth - r > far;
-    if (s.empty)
-        return s;
-    add_plane(&s, c, depth, r, near, orthographic);
-    if (!isinfq(far))
-        add_plane(&s, c, depth, r, far, orthographic);
-    if (!orthographic)
-        add_tangents(&s, c, depth, r, near, far);
-    else if (depth >= near && depth <= far) {
-        widen(&s, c - r);
-        widen(&s, c + r);
-    }
-    return s;
+    return tl_oracle_sphere_span(center, -(wide)center_z, radius, camera->near, camera->far,
+                                 camera->projection == TL_ORTHOGRAPHIC);
 }
 
 typedef struct counts {
@@ -78,8 +17,13 @@ typedef struct counts {
 } counts;
 
 /* Pixels [first, end) of one axis against the oracle's span, in units of pixels. */
-static void judge(
-    counts *n, span s, wide at_0, wide at_count, uint32_t count, uint32_t first, uint32_t end)
+static void judge(counts *n,
+                  tl_span s,
+                  wide at_0,
+                  wide at_count,
+                  uint32_t count,
+                  uint32_t first,
+                  uint32_t end)
 {
     const wide scale = count / (at_count - at_0);
     const wide a = (s.low - at_0) * scale, b = (s.high - at_0) * scale;
@@ -110,8 +54,8 @@ static void judge(
 static void check(counts *n, const tl_camera *camera, const float center[3], float radius)
 {
     tl_pixel_rect rect;
-    const span x = oracle(camera, center[0], center[2], radius);
-    const span y = oracle(camera, center[1], center[2], radius);
+    const tl_span x = oracle(camera, center[0], center[2], radius);
+    const tl_span y = oracle(camera, center[1], center[2], radius);
     tl_sphere_bounds(camera, center, radius, &rect);
     if (rect.x1 == 0) { /* empty: one axis has to be the reason */
         counts nx = {0}, ny = {0};
