@@ -150,6 +150,7 @@ static void reports_are_one_json_object(void **state)
         "$T light g.exr -o b.png --exposure auto --json",
         "$T scatter g.exr -o s.json --json",
         "$T compare a.exr a.exr --json",
+        "$T compare a.exr a.exr --flip --json",
         "$T info g.exr --json",
         "$T info a.png --json",
         "$T info a.exr --json",
@@ -183,6 +184,7 @@ static void options_reach_the_picture(void **state)
     expect_run("$T compare half.exr full.exr --metric rms --tolerance 1e-2 --json", 0,
                "\"not_finite\": 0", "");
     expect_run("$T compare half.exr full.exr --tolerance 0", 1, "", "the worst is at pixel");
+    expect_run("$T compare half.exr full.exr --metric flip --tolerance 0.01", 0, "FLIP", "");
     expect_run("$T light g.exr -o other.png --exposure 2 && ! cmp -s other.png plain.png", 0,
                "", "");
     expect_run("$T light g.exr -o other.png --tone none && ! cmp -s other.png plain.png", 0, "",
@@ -197,7 +199,12 @@ static void options_reach_the_picture(void **state)
         "$T light g.exr -o o.exr $o && $T compare o.exr full.exr --tolerance 0 || exit 9; "
         "done",
         0, "differing                 0", "");
+    expect_run(
+        "$T compare short.exr full.exr --flip-map map.png --metric flip --tolerance 1e-4 "
+        "|| $T info map.png",
+        0, "64 x 64", "FLIP is");
     expect_run("$T compare plain.png full.exr", 0, "", "encoded for a screen");
+    expect_run("$T compare plain.png full.exr --flip", 2, "", "one is each");
     expect_run(
         "$T render $D/nine-lights.gltf --size 32x64 -o s.exr && $T compare s.exr full.exr", 1,
         "", "nothing to compare");

@@ -24,6 +24,8 @@ static const struct {
     {"$T scatter --help", 0, "--overlap", ""},
     {"$T bench --help", 0, "--per-tile", ""},
     {"$T compare --help", 0, "--tolerance", ""},
+    {"$T compare a.png b.png --flip-map c.exr", 2, "", "end it in .png"},
+    {"$T compare a.png b.png --pixels-per-degree 0", 2, "", "is no number from 1 to 1000"},
     {"$T info --help", 0, "--json", ""},
     {"$T devices --help", 0, "--json", ""},
     {"$T layouts --help", 0, "--bandwidth", ""},

@@ -7,6 +7,7 @@ add_test(NAME data_scenes_are_made
 set_tests_properties(data_scenes_are_made PROPERTIES LABELS unit)
 tl_test(test_tone unit tl_picture)
 tl_test(test_compare unit tl_picture)
+tl_test(test_flip unit tl_picture)
 tl_test(test_resolve unit tl_picture)
 tl_oracle_test(test_oracle unit tl_base)
 tl_oracle_test(test_sphere_bounds unit tl_scene)
