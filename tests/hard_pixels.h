@@ -50,7 +50,7 @@ static inline void place_case(tl_gbuffer *g, tl_light_set *lights, uint32_t i)
     const float z = isinf(hard_pixels[i].depth) ? 1.0f : hard_pixels[i].depth;
     const float scale = camera->projection == TL_PERSPECTIVE ? z : 1.0f;
     const float step = (camera->right - camera->left) / (float)HARD_WIDTH;
-    const float surface[3] = {(camera->left + ((float)i + 0.5f) * step) * scale,
+    const float place[3] = {(camera->left + ((float)i + 0.5f) * step) * scale,
                               (camera->top - 0.5f * step) * scale, -z};
     tl_light light = tl_light_default();
     tl_error err;
@@ -58,7 +58,7 @@ static inline void place_case(tl_gbuffer *g, tl_light_set *lights, uint32_t i)
     set_pixel(g, TL_DEPTH, i, hard_pixels[i].depth);
     for (int axis = 0; axis < 3; axis++) {
         set_pixel(g, (enum tl_plane)(TL_NORMAL_X + axis), i, hard_pixels[i].normal[axis]);
-        light.position[axis] = surface[axis] + hard_pixels[i].offset[axis];
+        light.position[axis] = place[axis] + hard_pixels[i].offset[axis];
     }
     for (int p = TL_ALBEDO_R; p <= TL_SPECULAR_B; p++)
         set_pixel(g, (enum tl_plane)p, i, isinf(hard_pixels[i].depth) ? 0.0f : 0.5f);
