@@ -5,7 +5,19 @@
  *
  * with l from the point to the light and v from the point to the eye (the listing of Policarpo and
  * Fonseca has v the other way round), and no specular where n.l <= 0. What does not change from light
- * to light multiplies after the last one (pixel.h). */
+ * to light multiplies after the last one (pixel.h).
+ *
+ * What vectors and cosines are off by, u = 2^-24, where the surface point is exact:
+ *
+ *   n, v        turned by u, of length 1 to within 4.5u (vec3.h)
+ *   l           turned by u, as its parts round; |l| off by 2.5u, and 1/|l| by 3.5u of themselves: 3u of
+ *               squares and sums, which the root halves, root, quotient
+ *   n.l, off l  3u sum |n_i l_i| + 9u n.l + 2u: its sum; lengths of n and l, and their product; both turns
+ *   n.v, off v  3u sum |n_i v_i| + 9u n.v + 2u
+ *
+ * Where they leave open whether a cosine is above 0, either may be. Each lobe's header carries them on, and
+ * tests/test_model_accuracy.c holds every model against 128-bit floats, from a light of 1e-11 m to one of
+ * 1e18 m, at grazing angles and with light and eye opposite. */
 #ifndef TL_LIGHT_H
 #define TL_LIGHT_H
 

@@ -11,7 +11,12 @@
  * lobe_metal_rough.h has it, for the paper's needs an index of refraction, of which a material has only the
  * reflectance at normal incidence.
  *
- * With h the sum of the unit vectors, 2 n.h / v.h = 4 n.h / |h|^2. */
+ * With h the sum of the unit vectors, 2 n.h / v.h = 4 n.h / |h|^2.
+ *
+ * Off, by the letters of halfway.h: D cos^4 as gaussian_slopes is, its exponent by u more for alpha^2; G,
+ * where it is below 1, by n.h's turn, 3u of 1 for its sum, and stretch + 10.5u of itself: length of n 4.5u,
+ * |h|^2 3u, quotient and two products; n.l and n.v as light.h has it; and 4u of itself for the products and
+ * the quotient of all. */
 #ifndef TL_LOBE_COOK_TORRANCE_H
 #define TL_LOBE_COOK_TORRANCE_H
 

@@ -14,10 +14,17 @@
  *
  * In D the denominator is taken as alpha^2 cos^2 + sin^2 (specular.h): a sum, so that it is as accurate at
  * the peak of a mirror, where the form above cancels, and both are left times |h|^2, so that D and V take one
- * quotient. Off by 20u + 100u^2/alpha^2 of itself for exact h: the second term is the length of n, 50u^2 of
- * sin^2. F90 is 1 from F0 = 0.02 on and falls to 0 with F0, for no substance reflects less, but a material
- * may (Lagarde and de Rousiers, "Moving Frostbite to PBR", SIGGRAPH 2014, section 3.1.3): so a surface
- * without a specular colour has no highlights at grazing angles either, and an unlit one reflects nothing. */
+ * quotient.
+ *
+ * Off, by the letters of halfway.h: w = alpha^2 cos^2 + sin^2 is that of an angle off by turn, and for exact
+ * h by alpha^2 (6 cos + 10 cos^2) u + 5u sin^2 + 146u^2 + uw, which is 17u + 146u^2/alpha^2 of itself; it
+ * counts twice. n.l over V's denominator grows with n.l and falls with n.v: of cosines as light.h has it, and
+ * 4.5u of itself: roots 2.5u each, product, sum. Beside that 12u: |h|^2 twice, 3u each; five products and a
+ * quotient. Diffuse light: n.l, F90 by u, and 2u.
+ *
+ * F90 is 1 from F0 = 0.02 on and falls to 0 with F0, for no substance reflects less, but a material may
+ * (Lagarde and de Rousiers, "Moving Frostbite to PBR", SIGGRAPH 2014, section 3.1.3): so a surface without a
+ * specular colour has no highlights at grazing angles either, and an unlit one reflects nothing. */
 #ifndef TL_LOBE_METAL_ROUGH_H
 #define TL_LOBE_METAL_ROUGH_H
 

@@ -7,7 +7,11 @@
  * more than all at grazing angles, as a model of moons at full phase has it. k = 1 is Lambert's. Towards
  * the eye's horizon it grows without bound for k < 1: n.v is not taken below 2^-10.
  *
- * As a power of two of k log2(n.l) + (k - 1) log2(n.v), which is 10 at most. */
+ * As a power of two of k log2(n.l) + (k - 1) log2(n.v), which is 10 at most; not below 2^-54.
+ *
+ * Off: as n.l and n.v are (light.h), and by 2^d - 1 + 9u of itself, d of that sum s: 9.5u of either
+ * logarithm (specular.h), 2u of the second's factor and product, 2u|s| + 10u for sum and shift. The power is
+ * off by 7u, (k + 1)/2 and the product by u each. */
 #ifndef TL_LOBE_MINNAERT_H
 #define TL_LOBE_MINNAERT_H
 

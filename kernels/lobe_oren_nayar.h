@@ -6,7 +6,11 @@
  *
  * Without angles: sines and cosine of phi multiply to l.v - n.l n.v, and the tangent divides by the larger
  * of n.l and n.v. sigma, the facets' deviation in radians, is the roughness as artists see it, so that
- * sigma^2 is alpha. Where the normal is turned from the eye, n.v counts as 0. */
+ * sigma^2 is alpha. Where the normal is turned from the eye, n.v counts as 0.
+ *
+ * Off: A by 2.5u, B by 6u of itself, each constant and step rounding once; l.v by 3u sum |l_i v_i| + 9u l.v +
+ * 2u; n.l and n.v as light.h has it, in the product, the quotient and the sum, and u of the difference. The
+ * quotient, cut at 1, rounds once, and so do three products and the sum. */
 #ifndef TL_LOBE_OREN_NAYAR_H
 #define TL_LOBE_OREN_NAYAR_H
 

@@ -1,6 +1,10 @@
 /* The plain models: diffuse light is n.l (Lambert), a specular lobe is Blinn's power of n.h
  * (specular.h), under n.l where the model says so. In frames that have one of them alone, light.h does
- * the same by shorter code, to the same bits. */
+ * the same by shorter code, to the same bits.
+ *
+ * Diffuse light is off as n.l is (light.h), under n.l: off l and u of itself. The lobe: specular.h's power,
+ * of h turned to n by (3.5t + 2/|h| + 2) u, t the tangent between v and h, |h| of unit vectors: |l| v is off
+ * by 2.5u + 4.5u in length, half of which is across h at most; turns of l and v, its sum, n. */
 #ifndef TL_LOBE_PLAIN_H
 #define TL_LOBE_PLAIN_H
 

@@ -10,7 +10,14 @@
  * |h|^2/(n.h)^4 for h the sum of the unit vectors. It is the same both ways.
  *
  * cos^2 phi / ax^2 + sin^2 phi / ay^2 is taken as 1/wide^2 + (1/sharp^2 - 1/wide^2) cos^2 psi, psi from the
- * axis along which the lobe is narrow: a sum, whatever the widths are, and one product with a vector. */
+ * axis along which the lobe is narrow: a sum, whatever the widths are, and one product with a vector.
+ *
+ * Off, by the letters of halfway.h: the exponential as gaussian_slopes is, its exponent by 2u more for
+ * 1/wide^2; n.l as light.h has it; (v.h)^2 by twice stretch and 3u; 1/(4 ax ay) by 2.5u, and 3u for three
+ * products. With two widths, let p = |h across n| cos psi / |h|, d the sine and c the cosine between n and
+ * the direction: p is off by turn + (18 + c/d) u sin + 150u^2/d (two vectors made unit, 4.5u each, rounding
+ * of their parts, of the root and of the sum; the axis turns by c/d as n does by 1), p^2 by 7u of itself
+ * beside; the difference of 1/sharp^2 and 1/wide^2 by 3u/sharp^2, whatever is left of it; the sum by u. */
 #ifndef TL_LOBE_WARD_H
 #define TL_LOBE_WARD_H
 

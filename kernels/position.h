@@ -21,16 +21,16 @@ TL_INLINE vec3 view_position(tl_rays rays, tl_needs needs, real column, real row
     return p;
 }
 
-/* The unit vector from a view-space position to the eye. Not a number at the eye itself; the
- * specular lobe is 0 there. */
+/* The unit vector from a view-space position to the eye; 0 so close to it, or so far, that squares leave the
+ * range of numbers, where no direction is left (vec3.h). */
 TL_INLINE vec3 direction_to_eye(tl_needs needs, vec3 position)
 {
     if (needs.orthographic) {
         const vec3 back = {(real)R(0.0), (real)R(0.0), (real)R(1.0)};
         return back;
     }
-    const real k = R(-1.0) / SQRT(dot3(position, position));
-    const vec3 v = {position.x * k, position.y * k, position.z * k};
+    const vec3 away = unit3(position);
+    const vec3 v = {-away.x, -away.y, -away.z};
     return v;
 }
 

@@ -1,8 +1,8 @@
-/* What a test saw of a formula beside the bound that is derived for it: a line for the reader, and one of JSON
- * for docs/accuracy.md (scripts/make-accuracy-page), appended to the file that TILELIGHT_FIGURES names.
+/* What a test saw of a formula beside the bound that is derived for it: a line for the reader, and one of
+ * JSON for docs/accuracy.md (scripts/make-accuracy-page), appended to the file that TILELIGHT_FIGURES names.
  *
  *     figure f = {.section = "falloffs", .formula = "linear", .file = "kernels/falloff.h",
- *                 .quantity = "weight", .unit = "u", .parts = "product and sum"};
+ *                 .quantity = "weight", .arithmetic = "float", .unit = "u", .parts = "product and sum"};
  *     figure_sees(&f, error, bound, "distance %g", d);     of every case
  *     figure_report(&f);                                    once
  *
@@ -16,8 +16,11 @@ typedef struct figure {
     const char *section;  /* of docs/accuracy.md */
     const char *formula;  /* what is computed */
     const char *file;     /* where the formula stands, and its bound with the derivation */
-    const char *quantity; /* what the error is of, and in which arithmetic */
-    const char *unit;    /* "u": the numbers below are times 2^-24; else they are as they are */
+    const char *quantity; /* what the error is of */
+    const char
+        *arithmetic; /* that computes it: "float", "double"; NULL: none, or of no matter */
+    const char
+        *unit; /* "u": of half an ulp of 1 in that arithmetic; else numbers are as they are */
     const char *parts;   /* what the bound is composed of, in short */
     double bound, worst; /* of the case that comes nearest to its bound */
     char where[160];     /* that case */
@@ -26,7 +29,10 @@ typedef struct figure {
 
 static inline double figure_scale(const figure *f)
 {
-    return strcmp(f->unit, "u") == 0 ? 0x1p24 : 1.0;
+    const int is_double = f->arithmetic && strcmp(f->arithmetic, "double") == 0;
+    if (strcmp(f->unit, "u") != 0)
+        return 1.0;
+    return is_double ? 0x1p53 : 0x1p24;
 }
 
 static inline void figure_keep(
@@ -51,8 +57,9 @@ __attribute__((format(printf, 4, 5))) static inline void figure_sees(
     figure_keep(f, error, bound, form, arguments);
     va_end(arguments);
     if (!is_within)
-        fail_msg("%s, %s: off by %.9g %s where %.9g is derived: %s", f->formula, f->quantity,
-                 error * figure_scale(f), f->unit, bound * figure_scale(f), f->where);
+        fail_msg("%s, %s, %s: off by %.9g %s where %.9g is derived: %s", f->formula,
+                 f->quantity, f->arithmetic ? f->arithmetic : "", error * figure_scale(f),
+                 f->unit, bound * figure_scale(f), f->where);
 }
 
 static inline void figure_text(FILE *to, const char *key, const char *text)
@@ -78,6 +85,7 @@ static inline void figure_append(const figure *f, const char *path)
     figure_text(to, "formula", f->formula);
     figure_text(to, "file", f->file);
     figure_text(to, "quantity", f->quantity);
+    figure_text(to, "arithmetic", f->arithmetic ? f->arithmetic : "");
     figure_text(to, "unit", f->unit);
     figure_text(to, "parts", f->parts);
     figure_text(to, "where", f->where);
@@ -92,9 +100,9 @@ static inline void figure_report(const figure *f)
     const char *path = getenv("TILELIGHT_FIGURES");
     if (f->cases == 0)
         fail_msg("%s, %s: no case was seen", f->formula, f->quantity);
-    print_message("%s, %s: %.4g of %.4g %s in %lu cases: %s\n", f->formula, f->quantity,
-                  f->worst * figure_scale(f), f->bound * figure_scale(f), f->unit, f->cases,
-                  f->where);
+    print_message("%s, %s, %s: %.4g of %.4g %s in %lu cases: %s\n", f->formula, f->quantity,
+                  f->arithmetic ? f->arithmetic : "", f->worst * figure_scale(f),
+                  f->bound * figure_scale(f), f->unit, f->cases, f->where);
     if (path && *path)
         figure_append(f, path);
 }
