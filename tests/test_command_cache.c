@@ -13,6 +13,7 @@
 #define CACHE(folder) "export TILELIGHT_CACHE=" folder "; "
 #define LIGHT "$T light hall.exr --timings -o "
 #define LIGHT_ONE_PASS "$T light hall.exr --cull none --timings -o "
+#define LIGHT_BY_PIXEL "$T light --cull none --path gpu --timings "
 #define AND_SEE " && cmp want.exr 1.exr; "
 
 /* PoCL gives leave to execute to the kernels that it compiled, and not to those it unpacked. */
@@ -74,21 +75,36 @@ static void warm_start(void **state)
     expect_nothing_compiled(LIGHT_ONE_PASS);
 }
 
-/* With culling there are other launches: they join the entry, and displace nothing. */
-static void entry_grows(void **state)
+/* Culling has an entry of its own, and leaves that of shading as it is. */
+static void culling_joins(void **state)
 {
     (void)state;
+    expect_run("cp cache/*.program good", 0, "", "");
     expect_kept(CACHE("cache") LIGHT "1.exr" AND_SEE, 1);
     expect_kept(CACHE("cache") LIGHT "1.exr" AND_SEE, 0);
     expect_nothing_compiled(LIGHT);
     expect_nothing_compiled(LIGHT_ONE_PASS);
-    expect_run("ls -A cache | wc -l", 0, "1\n", "");
+    expect_run("ls -A cache | wc -l", 0, "2\n", "");
+    expect_run("for entry in cache/*; do cmp -s good $entry && echo same || rm $entry; done", 0,
+               "same\n", "");
+}
+
+/* Larger frames have launches that drivers compile for anew: they join the entry, and displace nothing. */
+static void entry_grows(void **state)
+{
+    (void)state;
+    expect_run("$T capture $D/hall.gltf -o large.exr --size 512x288", 0, "", "");
+    expect_kept(CACHE("grown") LIGHT_BY_PIXEL "hall.exr -o 1.exr" AND_SEE, 1);
+    expect_kept(CACHE("grown") LIGHT_BY_PIXEL "large.exr -o 2.exr; ", 1);
+    expect_kept(CACHE("grown") LIGHT_BY_PIXEL "large.exr -o 2.exr; ", 0);
+    expect_kept(CACHE("grown") LIGHT_BY_PIXEL "hall.exr -o 1.exr" AND_SEE, 0);
+    expect_run("ls -A grown | wc -l; rm -r grown", 0, "1\n", "");
 }
 
 static void damaged_entry_is_made_anew(void **state)
 {
     (void)state;
-    expect_run("cp cache/*.program good; printf damage | dd of=$(ls cache/*.program) bs=1 "
+    expect_run("printf damage | dd of=$(ls cache/*.program) bs=1 "
                "seek=60000 conv=notrunc 2>&-; ! cmp -s cache/*.program good",
                0, "", "");
     expect_kept(CACHE("cache") LIGHT_ONE_PASS "1.exr" AND_SEE, 1);
@@ -135,9 +151,13 @@ static void folders_of_the_driver(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(many_cold_starts),      cmocka_unit_test(warm_start),
-        cmocka_unit_test(entry_grows),           cmocka_unit_test(damaged_entry_is_made_anew),
-        cmocka_unit_test(folders_of_the_driver), cmocka_unit_test(nowhere_to_keep),
+        cmocka_unit_test(many_cold_starts),
+        cmocka_unit_test(warm_start),
+        cmocka_unit_test(culling_joins),
+        cmocka_unit_test(entry_grows),
+        cmocka_unit_test(damaged_entry_is_made_anew),
+        cmocka_unit_test(folders_of_the_driver),
+        cmocka_unit_test(nowhere_to_keep),
     };
     return cmocka_run_group_tests(tests, prepare, NULL);
 }

@@ -2,7 +2,7 @@
 #include "frames.h"
 
 #include "frame.h"
-#include "kernel_program.h"
+#include "probe_program.h"
 
 /* In the order in which probe_layout writes. */
 #define FIELD(type, field)                              \
@@ -63,12 +63,10 @@ static void offsets_agree(void **state)
     static const size_t one = 1;
     tl_device *device = *state;
     cl_uint on_device[COUNT_OF(fields)] = {0};
-    const tl_program *program = NULL;
     cl_int code;
-    tl_error err;
 
-    ASSERT_OK(tl_program_find(device, &options, NULL, &program, &err), err);
-    cl_kernel probe = clCreateKernel(program->program, "probe_layout", &code);
+    cl_program program = build_probe(device, &options, tl_probe_kernel);
+    cl_kernel probe = clCreateKernel(program, "probe_layout", &code);
     assert_int_equal(code, CL_SUCCESS);
     cl_mem out =
         clCreateBuffer(device->context, CL_MEM_WRITE_ONLY, sizeof on_device, NULL, &code);
@@ -87,6 +85,7 @@ static void offsets_agree(void **state)
 
     clReleaseMemObject(out);
     clReleaseKernel(probe);
+    clReleaseProgram(program);
 }
 
 int main(void)

@@ -4,12 +4,10 @@
  * hard frames is compared, in vectors and in single lanes, perspective and orthographic. */
 #include "layout_frames.h"
 
-#include "device.h"
-#include "embedded_kernels.h"
-#include "options.h"
 #include "packing.h"
+#include "probe_program.h"
 
-enum { READ_COUNT = 19, FLAGS_SIZE = 512 };
+enum { READ_COUNT = 19 };
 
 /* Planes of the frame. Global size: blocks across, blocks down. Writes [READ_COUNT][rows][pitch]. */
 static const char probe_text[] =
@@ -43,35 +41,6 @@ static const char probe_text[] =
 typedef struct variant {
     uint32_t width, orthographic, present;
 } variant;
-
-/* What a build has is constant in it: a program a layout. */
-static cl_program build_probe(const tl_device *device,
-                              const variant *v,
-                              enum tl_layout_name layout)
-{
-    char flags[FLAGS_SIZE], log[4096] = "";
-    const char *texts[] = {tl_kernel_text, probe_text};
-    const size_t lengths[] = {TL_KERNEL_HEADERS_LENGTH, sizeof probe_text - 1};
-    cl_int code;
-    snprintf(
-        flags, sizeof flags,
-        "-cl-std=CL1.2 -w%s -D TL_WIDTH=%u -D TL_BY_PIXEL=0 -D TL_REAL_DOUBLE=0 "
-        "-D TL_PRECISE_POWER=0 -D TL_ORTHOGRAPHIC=%u -D TL_LAYOUT=%d -D TL_PRESENT=%u "
-        "-D TL_SPECULAR=0 -D TL_FALLOFFS_USED=1 -D TL_MODEL=0 -D TL_MODELS_USED=1u -D "
-        "TL_SPOTS=0 -D TL_ONE_COLOR=0 "
-        "-D TL_AMBIENT=1 -D TL_IDLE=0 -D TL_CHOICES=0 -D TL_FIXED_EXPONENT=0 -D TL_TIMED=0 "
-        "-D TL_SHAPES=0 -D TL_SKY=0",
-        device->rounds_divide ? " -cl-fp32-correctly-rounded-divide-sqrt" : "", v->width,
-        v->orthographic, (int)layout, v->present & tl_layout_planes(layout));
-    cl_program program = clCreateProgramWithSource(device->context, 2, texts, lengths, &code);
-    assert_int_equal(code, CL_SUCCESS);
-    if (clBuildProgram(program, 1, &device->id, flags, NULL, NULL) != CL_SUCCESS) {
-        clGetProgramBuildInfo(program, device->id, CL_PROGRAM_BUILD_LOG, sizeof log - 1, log,
-                              NULL);
-        fail_msg("the probe does not compile:\n%s", log);
-    }
-    return program;
-}
 
 static void run_probe(const tl_device *device,
                       cl_program program,
@@ -147,7 +116,14 @@ static void layout_agrees(const tl_device *device,
                             .layout = layout};
     float *out = calloc(READ_COUNT * pixels, sizeof *out);
     assert_non_null(out);
-    cl_program program = build_probe(device, v, layout);
+    const tl_kernel_options options = {.width = v->width,
+                                       .orthographic = v->orthographic,
+                                       .layout = layout,
+                                       .present = v->present & tl_layout_planes(layout),
+                                       .models = 1,
+                                       .falloffs = 1,
+                                       .ambient = 1};
+    cl_program program = build_probe(device, &options, probe_text);
     run_probe(device, program, v, g, &frame, out);
     clReleaseProgram(program);
     for (uint32_t i = 0; i < HARD_PIXELS; i++) {

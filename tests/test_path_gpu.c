@@ -123,7 +123,7 @@ static lists cull(const tl_device *device,
     const size_t tiles = tl_tile_count(&prepared->frame);
     tl_buffers buffers = {0};
     tl_pass_context c = {.device = device,
-                         .program = program,
+                         .programs = {[TL_PART_CULL] = program},
                          .buffers = &buffers,
                          .prepared = prepared,
                          .frame = prepared->frame,
@@ -197,11 +197,10 @@ static void lists_are_the_same(void **state)
                                                    .orthographic = prepared.needs.orthographic,
                                                    .layout = prepared.needs.layout,
                                                    .present = prepared.needs.present,
-                                                   .specular = prepared.needs.specular,
-                                                   .spots = prepared.needs.spots,
-                                                   .falloffs = prepared.needs.falloffs};
+                                                   .spots = prepared.needs.spots};
                 const tl_program *found = NULL;
-                ASSERT_OK(tl_program_find(device, &options, NULL, &found, &err), err);
+                ASSERT_OK(tl_program_find(device, TL_PART_CULL, &options, NULL, &found, &err),
+                          err);
                 tl_program program = *found;
                 if (ways[way].rects_on_host)
                     program.light_rects = NULL;

@@ -7,7 +7,7 @@
 
 enum { MAX_FLAGS = 512, TEXT_COUNT = 2 };
 
-static const char *const texts[TEXT_COUNT] = {tl_kernel_text, tl_classic_cl};
+static const char *const texts[TEXT_COUNT] = {tl_kernel_headers, tl_classic_cl};
 
 /* Drivers compile a kernel again for large grids. With the grid in the flags, and so in the key, an
  * entry of the cache is ready for the launches of whoever finds it. */

@@ -162,10 +162,9 @@ static int fits(const tl_pass_context *c,
            (options->memory_limit == 0 || *needed <= options->memory_limit);
 }
 
-/* Whether tiles are to have lists of their own: of what all share there may be nothing to cull. */
-static int culls(const tl_pass_context *c, const tl_band_options *options)
+int tl_bands_cull(const tl_prepared *prepared, const tl_band_options *options)
 {
-    return options->cull && c->frame.light_count > c->frame.global_count;
+    return options->cull && prepared->frame.light_count > prepared->frame.global_count;
 }
 
 /* *fitted is 0, and the lists are not complete, where they turn out too long and the band has more
@@ -202,7 +201,7 @@ static tl_status cull_band(tl_pass_context *c,
     tl_status status = TL_OK;
     uint64_t list_length = 0;
     *fitted = 1;
-    if (culls(c, options))
+    if (tl_bands_cull(c->prepared, options))
         TRY(list_band(c, options, gbuffer, &list_length, &counts->device_cull_ms, fitted, err));
     else
         TRY(tl_pass_list_all(c, &list_length, err));
@@ -276,7 +275,8 @@ static uint64_t entries_of(const tl_pass_context *c,
                            const tl_band_options *options,
                            uint64_t list_length)
 {
-    return culls(c, options) ? list_length : c->frame.light_count - c->frame.global_count;
+    return tl_bands_cull(c->prepared, options) ? list_length
+                                               : c->frame.light_count - c->frame.global_count;
 }
 
 /* One band. *fitted is 0, and nothing lit, where cull_band says so. */
@@ -363,7 +363,7 @@ tl_status tl_bands_shade_again(tl_pass_context *c,
     aim_at(c, gbuffer, whole);
     c->frame.global_count = global_count;
     TRY(upload(c, gbuffer, image, err));
-    if (c->program->options.timed)
+    if (c->programs[TL_PART_SHADE]->options.timed)
         TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_TIMES,
                                2 * tl_tile_count(&c->frame) * sizeof(cl_ulong), err));
     TRY(tl_pass_shade(c, ms, err));

@@ -20,6 +20,9 @@ typedef struct tl_band_options {
     const tl_kept_lists *kept; /* NULL: nothing is */
 } tl_band_options;
 
+/* Whether tiles are to have lists of their own: of what all share there may be nothing to cull. */
+int tl_bands_cull(const tl_prepared *prepared, const tl_band_options *options);
+
 /* Lights the frame of context->prepared into the image; context->frame is its own. *counts gets
  * list_length, band_count, device_bytes and the device's times. Fails with TL_ERR_ARGUMENT when one
  * row of tiles is beyond the limit, TL_ERR_DEVICE or TL_ERR_MEMORY. */
@@ -32,7 +35,7 @@ tl_status tl_bands_light(tl_pass_context *context,
                          tl_error *err);
 
 /* Shades the frame that was lit last once more, from the lists that are there, into an image of its size,
- * by the context's program; *ms is the device's time. Fails with TL_ERR_UNSUPPORTED where it was lit in
+ * by the context's program for shading; *ms is the device's time. Fails with TL_ERR_UNSUPPORTED where it was lit in
  * bands, of whose lists the last alone are there; with TL_ERR_DEVICE or TL_ERR_MEMORY. */
 tl_status tl_bands_shade_again(tl_pass_context *context,
                                const tl_gbuffer *gbuffer,

@@ -89,10 +89,10 @@ static tl_status find_rects(tl_pass_context *c, double *ms, tl_error *err)
     const size_t pitch = rect_pitch(c);
     const tl_work size =
         c->by_pixel ? (tl_work){pitch, TL_RECT_GRANULE} : tl_alone(pitch / TL_RECT_GRANULE);
-    if (!c->program->light_rects)
+    if (!c->programs[TL_PART_CULL]->light_rects)
         return rects_on_host(c, err);
-    return TL_LAUNCH(c, light_rects, size, ms, err, TL_BUFFER_LIGHTS, TL_BUFFER_RECTS,
-                     TL_BUFFER_LIST_END);
+    return TL_LAUNCH_CULL(c, light_rects, size, ms, err, TL_BUFFER_LIGHTS, TL_BUFFER_RECTS,
+                          TL_BUFFER_LIST_END);
 }
 
 static cl_uint capacity_of(const tl_pass_context *c, tl_buffer_name name)
@@ -103,10 +103,10 @@ static cl_uint capacity_of(const tl_pass_context *c, tl_buffer_name name)
 
 static tl_status list_by_row(tl_pass_context *c, double *ms, tl_error *err)
 {
-    return TL_LAUNCH(c, cull_rows, tl_alone(c->frame.tiles_y), ms, err, TL_BUFFER_PLANES,
-                     TL_BUFFER_LIGHTS, TL_BUFFER_RECTS, TL_BUFFER_BOXES, TL_BUFFER_COUNTS,
-                     TL_BUFFER_BITS, TL_BUFFER_STARTS, TL_BUFFER_ENDS, TL_BUFFER_LIST_END,
-                     TL_BUFFER_LIST);
+    return TL_LAUNCH_CULL(c, cull_rows, tl_alone(c->frame.tiles_y), ms, err, TL_BUFFER_PLANES,
+                          TL_BUFFER_LIGHTS, TL_BUFFER_RECTS, TL_BUFFER_BOXES, TL_BUFFER_COUNTS,
+                          TL_BUFFER_BITS, TL_BUFFER_STARTS, TL_BUFFER_ENDS, TL_BUFFER_LIST_END,
+                          TL_BUFFER_LIST);
 }
 
 static tl_status list_by_tile(tl_pass_context *c, double *ms, tl_error *err)
@@ -114,13 +114,13 @@ static tl_status list_by_tile(tl_pass_context *c, double *ms, tl_error *err)
     const tl_work tiles = tl_groups(tl_tile_count(&c->frame));
     tl_status status = TL_OK;
     if (c->frame.box_count > 0)
-        TRY(TL_LAUNCH(c, bound_tiles, tiles, ms, err, TL_BUFFER_PLANES, TL_BUFFER_BOXES));
+        TRY(TL_LAUNCH_CULL(c, bound_tiles, tiles, ms, err, TL_BUFFER_PLANES, TL_BUFFER_BOXES));
     if (c->frame.has_cells)
-        TRY(TL_LAUNCH(c, list_cells, tl_groups(cell_count(c)), ms, err, TL_BUFFER_RECTS,
-                      TL_BUFFER_CELLS, TL_BUFFER_LIST_END, TL_BUFFER_CELL_LIST));
-    TRY(TL_LAUNCH(c, list_tiles, tiles, ms, err, TL_BUFFER_LIGHTS, TL_BUFFER_RECTS,
-                  TL_BUFFER_BOXES, TL_BUFFER_CELLS, TL_BUFFER_CELL_LIST, TL_BUFFER_COUNTS,
-                  TL_BUFFER_STARTS, TL_BUFFER_ENDS, TL_BUFFER_LIST_END, TL_BUFFER_LIST));
+        TRY(TL_LAUNCH_CULL(c, list_cells, tl_groups(cell_count(c)), ms, err, TL_BUFFER_RECTS,
+                           TL_BUFFER_CELLS, TL_BUFFER_LIST_END, TL_BUFFER_CELL_LIST));
+    TRY(TL_LAUNCH_CULL(c, list_tiles, tiles, ms, err, TL_BUFFER_LIGHTS, TL_BUFFER_RECTS,
+                       TL_BUFFER_BOXES, TL_BUFFER_CELLS, TL_BUFFER_CELL_LIST, TL_BUFFER_COUNTS,
+                       TL_BUFFER_STARTS, TL_BUFFER_ENDS, TL_BUFFER_LIST_END, TL_BUFFER_LIST));
 done:
     return status;
 }

@@ -1,6 +1,7 @@
 #include "kernel_program.h"
 
 #include "embedded_kernels.h"
+#include "layout.h"
 #include "try.h"
 #include "user_kernel.h"
 
@@ -8,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_FLAGS = 512, MAX_PROGRAMS = 16 };
+enum { MAX_FLAGS = 512, MAX_PROGRAMS = 32 };
 
 struct tl_programs {
     tl_program of[MAX_PROGRAMS];
@@ -58,6 +59,16 @@ static tl_status fail_with_log(const tl_device *device, const tl_program *made, 
     return status;
 }
 
+/* Ours, or for shading the user's. */
+static const char *text_of(const tl_program *made)
+{
+    static const char *const texts[TL_PART_COUNT] = {
+        [TL_PART_CULL] = tl_cull_kernels,
+        [TL_PART_SHADE] = tl_shade_kernels,
+    };
+    return made->user.text ? made->user.text : texts[made->part];
+}
+
 /* What a kernel is called in the text. */
 static const char *name_of(const tl_program *made, const char *name)
 {
@@ -80,8 +91,8 @@ static tl_status create_kernels(const tl_device *device, tl_program *made, tl_er
     const int has_double = device->info.has_double;
     tl_status status = TL_OK;
     cl_int code;
-#define CREATE(name, is_there)                                                   \
-    if (is_there) {                                                              \
+#define CREATE(name, its_part, is_there)                                         \
+    if (made->part == its_part && (is_there)) {                                  \
         made->name = clCreateKernel(made->program, name_of(made, #name), &code); \
         TRY(check_kernel(code, made, #name, err));                               \
     }
@@ -96,9 +107,9 @@ done:
 /* Of the driver's objects. Accepts one that is all zero. */
 static void release_program(tl_program *program)
 {
-#define RELEASE(name, is_there)         \
-    if (program->name)                  \
-        clReleaseKernel(program->name); \
+#define RELEASE(name, its_part, is_there) \
+    if (program->name)                    \
+        clReleaseKernel(program->name);   \
     program->name = NULL;
     TL_KERNELS(RELEASE)
 #undef RELEASE
@@ -120,14 +131,12 @@ static void release(tl_program *program)
 
 typedef struct program_source {
     const char *texts[2];
-    cl_uint text_count;
     char flags[MAX_FLAGS];
 } program_source;
 
 static program_source source_of(const tl_device *device, const tl_program *made)
 {
-    program_source source = {.texts = {tl_kernel_text, made->user.text},
-                             .text_count = made->user.text ? 2 : 1};
+    program_source source = {.texts = {tl_kernel_headers, text_of(made)}};
     format_flags(device, made, source.flags);
     return source;
 }
@@ -139,8 +148,7 @@ static tl_status compile(const tl_device *device,
 {
     const char *texts[] = {source->texts[0], source->texts[1]};
     cl_int code;
-    made->program =
-        clCreateProgramWithSource(device->context, source->text_count, texts, NULL, &code);
+    made->program = clCreateProgramWithSource(device->context, 2, texts, NULL, &code);
     if (code != CL_SUCCESS)
         return tl_cl(code, "clCreateProgramWithSource", err);
     if (clBuildProgram(made->program, 1, &device->id, source->flags, NULL, NULL) != CL_SUCCESS)
@@ -153,12 +161,10 @@ static tl_status build(const tl_device *device, tl_program *made, tl_error *err)
     const program_source source = source_of(device, made);
     tl_status status = TL_OK;
 
-    if (made->user.text)
-        TRY(tl_user_kernel_check_entry(&made->user, err));
     made->keeper = calloc(1, sizeof *made->keeper);
     if (!made->keeper)
         TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for a kernel program"));
-    tl_keeper_begin(made->keeper, device, source.texts, source.text_count, source.flags);
+    tl_keeper_begin(made->keeper, device, source.texts, 2, source.flags);
     made->program = tl_keeper_load(made->keeper, device, source.flags);
     if (made->program && create_kernels(device, made, err) == TL_OK)
         goto done;
@@ -177,7 +183,7 @@ void tl_program_note_launch(const tl_program *program,
                             size_t items,
                             size_t group)
 {
-#define HANDLE(name, is_there) program->name,
+#define HANDLE(name, its_part, is_there) program->name,
     const cl_kernel kernels[] = {TL_KERNELS(HANDLE)};
 #undef HANDLE
     for (uint32_t i = 0; i < sizeof kernels / sizeof kernels[0]; i++)
@@ -187,7 +193,8 @@ void tl_program_note_launch(const tl_program *program,
 
 int tl_program_keep(const tl_device *device, const tl_program *program)
 {
-    tl_program anew = {.options = program->options, .user = program->user};
+    tl_program anew = {
+        .part = program->part, .options = program->options, .user = program->user};
     if (!tl_keeper_has_news(program->keeper)) {
         tl_keeper_keep(program->keeper, NULL);
         return 0;
@@ -216,32 +223,62 @@ static tl_program *free_slot(struct tl_programs *programs)
     return slot;
 }
 
-static int is_same(const tl_program *program,
-                   const tl_kernel_options *options,
-                   const tl_user_kernel *user)
+static int is_same(const tl_program *a, const tl_program *b)
 {
-    if (memcmp(&program->options, options, sizeof *options) != 0)
+    if (a->part != b->part || memcmp(&a->options, &b->options, sizeof a->options) != 0)
         return 0;
-    if (!program->user.text || !user->text)
-        return program->user.text == user->text;
-    return strcmp(program->user.text, user->text) == 0 &&
-           strcmp(program->user.entry, user->entry) == 0 && program->user.items == user->items;
+    if (!a->user.text || !b->user.text)
+        return a->user.text == b->user.text;
+    return strcmp(a->user.text, b->user.text) == 0 &&
+           strcmp(a->user.entry, b->user.entry) == 0 && a->user.items == b->user.items;
+}
+
+/* Culling reads where surfaces are, and nothing else of them: planes that move no word of that may as
+ * well be absent. */
+static uint32_t present_to_cull(uint32_t layout, uint32_t present)
+{
+    const tl_layout *row = &tl_layouts[layout];
+    uint32_t before = 0;
+    for (tl_u32 i = 0; i < TL_MAX_WORDS; i++)
+        if (row->words[i].planes & (1u << TL_DEPTH))
+            before = i + 1;
+    uint32_t needed = TL_GROUP_BASE & present;
+    for (tl_u32 i = 0; i < before; i++)
+        if (word_bytes(row, present, i) != word_bytes(row, needed, i))
+            needed = present;
+    return needed;
+}
+
+static tl_kernel_options options_of(tl_program_part part, const tl_kernel_options *o)
+{
+    if (part != TL_PART_CULL)
+        return *o;
+    return (tl_kernel_options){.width = o->width,
+                               .by_pixel = o->by_pixel,
+                               .real_double = o->real_double,
+                               .orthographic = o->orthographic,
+                               .layout = o->layout,
+                               .present = present_to_cull(o->layout, o->present),
+                               .spots = o->spots};
 }
 
 tl_status tl_program_find(tl_device *device,
+                          tl_program_part part,
                           const tl_kernel_options *options,
                           const tl_user_kernel *user,
                           const tl_program **out,
                           tl_error *err)
 {
-    tl_program built = {.options = *options, .user = user ? *user : (tl_user_kernel){0}};
+    tl_program built = {.part = part, .options = options_of(part, options)};
+    if (user && part == TL_PART_SHADE)
+        built.user = *user;
     if (!device->programs)
         device->programs = calloc(1, sizeof *device->programs);
     if (!device->programs)
         return tl_fail(err, TL_ERR_MEMORY, "out of memory for kernel programs");
     for (int i = 0; i < device->programs->count; i++) {
         *out = &device->programs->of[i];
-        if (is_same(*out, options, &built.user))
+        if (is_same(*out, &built))
             return TL_OK;
     }
     tl_status status = build(device, &built, err);

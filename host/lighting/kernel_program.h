@@ -15,34 +15,40 @@ typedef struct tl_kernel_options {
 #undef FIELD
 } tl_kernel_options;
 
-/* The kernels of a program; of those that it lacks the handle is NULL.
- * X(name in the program and here, whether it is there: of `options` and `has_double`) */
-#define TL_KERNELS(X)                 \
-    X(light_rects, has_double)        \
-    X(cull_rows, 1)                   \
-    X(shade_tiles, 1)                 \
-    X(bound_tiles, options->by_pixel) \
-    X(list_cells, options->by_pixel)  \
-    X(list_tiles, options->by_pixel)  \
-    X(shade_pixels, options->by_pixel)
+/* Parts of a frame's work have a program each: scenes differ in what shading is built for, and share
+ * the kernels that cull, which take the longest to compile. */
+typedef enum tl_program_part { TL_PART_CULL, TL_PART_SHADE, TL_PART_COUNT } tl_program_part;
+
+/* Of those that a program lacks the handle is NULL.
+ * X(name in the program and here, its part, whether it is there: of `options` and `has_double`) */
+#define TL_KERNELS(X)                               \
+    X(light_rects, TL_PART_CULL, has_double)        \
+    X(cull_rows, TL_PART_CULL, 1)                   \
+    X(bound_tiles, TL_PART_CULL, options->by_pixel) \
+    X(list_cells, TL_PART_CULL, options->by_pixel)  \
+    X(list_tiles, TL_PART_CULL, options->by_pixel)  \
+    X(shade_tiles, TL_PART_SHADE, 1)                \
+    X(shade_pixels, TL_PART_SHADE, options->by_pixel)
 
 typedef struct tl_program {
-    tl_kernel_options options;
-    tl_user_kernel user; /* text NULL: shade_tiles is ours */
-    char *user_memory;   /* what `user` points into; owned */
+    tl_program_part part;
+    tl_kernel_options options; /* what the part does not depend on is 0 */
+    tl_user_kernel user;       /* text NULL: shade_tiles is ours */
+    char *user_memory;         /* what `user` points into; owned */
     cl_program program;
     tl_keeper *keeper; /* owned */
-#define HANDLE(name, is_there) cl_kernel name;
+#define HANDLE(name, its_part, is_there) cl_kernel name;
     TL_KERNELS(HANDLE)
 #undef HANDLE
 } tl_program;
 
-/* The device's program for these options: every kernel, built the first time they are asked for. With
+/* The device's program of a part for these options, built the first time they are asked for. With
  * `user` (NULL, or its text NULL: ours), shade_tiles is the user's kernel. The device owns *out and keeps
- * the programs it was asked for last, 16 of them, so *out holds until the next call. Fails with
+ * the programs it was asked for last, 32 of them: a frame's own hold until its end. Fails with
  * TL_ERR_DEVICE, of a user's kernel TL_ERR_FORMAT, the message carrying the compiler's log; TL_ERR_FORMAT
  * or TL_ERR_ARGUMENT of user_kernel.h; TL_ERR_MEMORY. */
 tl_status tl_program_find(tl_device *device,
+                          tl_program_part part,
                           const tl_kernel_options *options,
                           const tl_user_kernel *user,
                           const tl_program **out,

@@ -10,6 +10,7 @@ static void note_launch(tl_pass_context *c, cl_event event, double *ms)
 }
 
 tl_status tl_launch(tl_pass_context *c,
+                    tl_program_part part,
                     cl_kernel kernel,
                     const char *name,
                     const tl_buffer_name *buffers,
@@ -28,7 +29,7 @@ tl_status tl_launch(tl_pass_context *c,
                                       &size.group, 0, NULL, &event);
     if (code != CL_SUCCESS)
         return tl_cl(code, name, err);
-    tl_program_note_launch(c->program, kernel, size.items, size.group);
+    tl_program_note_launch(c->programs[part], kernel, size.items, size.group);
     note_launch(c, event, ms);
     return TL_OK;
 }

@@ -14,9 +14,10 @@ tl_work tl_alone(size_t items);
 /* In work-groups of TL_GROUP: kernels of the path for GPUs. */
 tl_work tl_groups(size_t groups);
 
-/* Launches a kernel that takes the context's frame and then the buffers; `name` is for errors. Its
- * device time is added to *ms by tl_pass_finish. Fails with TL_ERR_DEVICE. */
+/* Launches a kernel of the part's program, which takes the context's frame and then the buffers; `name`
+ * is for errors. Its device time is added to *ms by tl_pass_finish. Fails with TL_ERR_DEVICE. */
 tl_status tl_launch(tl_pass_context *context,
+                    tl_program_part part,
                     cl_kernel kernel,
                     const char *name,
                     const tl_buffer_name *buffers,
@@ -25,9 +26,10 @@ tl_status tl_launch(tl_pass_context *context,
                     double *ms,
                     tl_error *err);
 
-/* The program's kernel `name`; the buffers come last. */
-#define TL_LAUNCH(context, name, size, ms, err, ...)                                     \
-    tl_launch(context, (context)->program->name, #name, (tl_buffer_name[]){__VA_ARGS__}, \
+/* The kernel `name` of culling; the buffers come last. */
+#define TL_LAUNCH_CULL(context, name, size, ms, err, ...)                            \
+    tl_launch(context, TL_PART_CULL, (context)->programs[TL_PART_CULL]->name, #name, \
+              (tl_buffer_name[]){__VA_ARGS__},                                       \
               sizeof((tl_buffer_name[]){__VA_ARGS__}) / sizeof(tl_buffer_name), size, ms, err)
 
 #endif

@@ -145,6 +145,19 @@ tl_kernel_options tl_lighting_kernels(const tl_lighting *lighting, const tl_need
                                .sky = needs->sky};
 }
 
+static void keep_programs(const tl_device *device,
+                          const tl_pass_context *context,
+                          tl_timings *timings)
+{
+    const double clock = tl_seconds();
+    int kept = 0;
+    for (int part = 0; part < TL_PART_COUNT; part++)
+        if (context->programs[part])
+            kept |= tl_program_keep(device, context->programs[part]);
+    if (kept)
+        tl_timings_end(timings, "keep", clock);
+}
+
 static tl_status run_on_device(tl_lighting *lighting,
                                const tl_gbuffer *gbuffer,
                                tl_image *image,
@@ -167,14 +180,15 @@ static tl_status run_on_device(tl_lighting *lighting,
                                .prepared = &lighting->prepared,
                                .precision_is_double = (int)kernels.real_double,
                                .by_pixel = (int)kernels.by_pixel};
-    double clock = tl_seconds();
-    TRY(tl_program_find(lighting->device, &kernels, &options->kernel, &context.program, err));
+    const double clock = tl_seconds();
+    for (tl_program_part part = 0; part < TL_PART_COUNT; part++)
+        if (part != TL_PART_CULL || tl_bands_cull(&lighting->prepared, &bands))
+            TRY(tl_program_find(lighting->device, part, &kernels, &options->kernel,
+                                &context.programs[part], err));
     tl_timings_end(timings, "compile", clock);
     TRY(tl_bands_light(&context, &bands, gbuffer, image, timings, counts, err));
 done:
-    clock = tl_seconds();
-    if (context.program && tl_program_keep(lighting->device, context.program))
-        tl_timings_end(timings, "keep", clock);
+    keep_programs(lighting->device, &context, timings);
     return status;
 }
 
@@ -202,8 +216,8 @@ void tl_lighting_build_options(const tl_lighting *lighting, char *text, size_t s
     const tl_kernel_options kernels = tl_lighting_kernels(lighting, &lighting->prepared.needs);
     char *options = NULL;
     size_t options_size = 0;
-    if (tl_program_find(lighting->device, &kernels, &lighting->options.kernel, &program,
-                        NULL) != TL_OK)
+    if (tl_program_find(lighting->device, TL_PART_SHADE, &kernels, &lighting->options.kernel,
+                        &program, NULL) != TL_OK)
         return;
     clGetProgramBuildInfo(program->program, lighting->device->id, CL_PROGRAM_BUILD_OPTIONS, 0,
                           NULL, &options_size);

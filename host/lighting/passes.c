@@ -45,7 +45,7 @@ done:
 /* A user's kernel, which stands in for shade_tiles, says itself what its work-items are. */
 tl_status tl_pass_shade(tl_pass_context *c, double *ms, tl_error *err)
 {
-    const tl_program *program = c->program;
+    const tl_program *program = c->programs[TL_PART_SHADE];
     const tl_buffer_name arguments[] = {
         TL_BUFFER_PLANES, TL_BUFFER_LIGHTS,
         TL_BUFFER_STARTS, c->ignores_lists ? TL_BUFFER_STARTS : TL_BUFFER_ENDS,
@@ -56,8 +56,8 @@ tl_status tl_pass_shade(tl_pass_context *c, double *ms, tl_error *err)
     const size_t tiles = tl_tile_count(&c->frame),
                  pixels = (size_t)c->frame.tile_size * c->frame.tile_size;
     if (c->by_pixel && !program->user.text)
-        return tl_launch(c, program->shade_pixels, "shade_pixels", arguments, count,
-                         tl_groups(tiles * pixels / TL_GROUP), ms, err);
+        return tl_launch(c, TL_PART_SHADE, program->shade_pixels, "shade_pixels", arguments,
+                         count, tl_groups(tiles * pixels / TL_GROUP), ms, err);
     const int items_are_pixels = program->user.text && program->user.items == TL_ITEMS_PIXEL;
     const tl_work size = items_are_pixels ? (tl_work){tiles * pixels, pixels} : tl_alone(tiles);
     if (program->user.text) {
@@ -66,7 +66,8 @@ tl_status tl_pass_shade(tl_pass_context *c, double *ms, tl_error *err)
         if (status != TL_OK)
             return status;
     }
-    return tl_launch(c, program->shade_tiles, "shade_tiles", arguments, count, size, ms, err);
+    return tl_launch(c, TL_PART_SHADE, program->shade_tiles, "shade_tiles", arguments, count,
+                     size, ms, err);
 }
 
 tl_status tl_pass_finish(tl_pass_context *c, tl_error *err)

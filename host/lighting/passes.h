@@ -11,7 +11,7 @@ enum { TL_MAX_LAUNCHES = 16 };
 /* What the passes of one band work on; everything but `frame` and `launches` is borrowed. */
 typedef struct tl_pass_context {
     const tl_device *device;
-    const tl_program *program;
+    const tl_program *programs[TL_PART_COUNT]; /* NULL: the part is not needed */
     tl_buffers *buffers;
     const tl_prepared *prepared;
     tl_frame frame; /* of the band */

@@ -27,12 +27,12 @@ static tl_status shade_again(tl_lighting *lighting,
         context.frame.global_count = 0;
     if (lighting->unpacked)
         gbuffer = lighting->unpacked;
-    TRY(tl_program_find(lighting->device, kernels, &lighting->options.kernel, &context.program,
-                        err));
+    TRY(tl_program_find(lighting->device, TL_PART_SHADE, kernels, &lighting->options.kernel,
+                        &context.programs[TL_PART_SHADE], err));
     TRY(tl_bands_shade_again(&context, gbuffer, image, &lighting->counts, ms, err));
 done:
-    if (context.program)
-        tl_program_keep(lighting->device, context.program);
+    if (context.programs[TL_PART_SHADE])
+        tl_program_keep(lighting->device, context.programs[TL_PART_SHADE]);
     return status;
 }
 

@@ -67,7 +67,7 @@ static line_kind kind_of(const char *line)
     if (sscanf(line, "\"%63[^\"\n]\"", name) != 1)
         return LINE_INCLUDES_OTHER;
     snprintf(marker, sizeof marker, "#line 1 \"%s\"\n", name);
-    return strstr(tl_kernel_text, marker) ? LINE_INCLUDES_OURS : LINE_INCLUDES_OTHER;
+    return strstr(tl_kernel_headers, marker) ? LINE_INCLUDES_OURS : LINE_INCLUDES_OTHER;
 }
 
 /* As in a C string. */
@@ -125,15 +125,7 @@ tl_status tl_user_kernel_text(const char *file, const char *source, char **out, 
     return TL_OK;
 }
 
-/* Of `length` bytes at `name`. */
-static bool is_ours(const char *name, size_t length)
-{
-    char marker[128];
-    snprintf(marker, sizeof marker, "__kernel void %.*s(", (int)length, name);
-    return strstr(tl_kernel_text, marker) != NULL;
-}
-
-/* The kernels of the program that are not ours, ", " between. */
+/* The kernels of the program, ", " between. */
 static void list_kernels(cl_program program, char *list, size_t size)
 {
     char names[2048] = "";
@@ -144,7 +136,7 @@ static void list_kernels(cl_program program, char *list, size_t size)
         return;
     for (const char *name = names; *name;) {
         const size_t length = strcspn(name, ";");
-        if (!is_ours(name, length) && used + length + 3 < size)
+        if (used + length + 3 < size)
             used += (size_t)snprintf(list + used, size - used, "%s%.*s", used ? ", " : "",
                                      (int)length, name);
         name += length + (name[length] == ';');
@@ -158,15 +150,6 @@ tl_status tl_user_kernel_missing(cl_program program, const tl_user_kernel *user,
     return tl_fail(err, TL_ERR_FORMAT, "%s: has no kernel \"%s\"; %s%s",
                    tl_user_kernel_name(user), user->entry,
                    list[0] ? "its kernels: " : "it has none at all", list);
-}
-
-tl_status tl_user_kernel_check_entry(const tl_user_kernel *user, tl_error *err)
-{
-    if (is_ours(user->entry, strlen(user->entry)))
-        return tl_fail(err, TL_ERR_ARGUMENT,
-                       "%s: \"%s\" is a kernel of tilelight's own; give yours another name",
-                       tl_user_kernel_name(user), user->entry);
-    return TL_OK;
 }
 
 static tl_status check_argument(cl_kernel kernel,

@@ -14,10 +14,6 @@ tl_status tl_user_kernel_copy(tl_user_kernel *user, char **memory, tl_error *err
 /* Fails with TL_ERR_FORMAT, naming the kernels that the text does have. */
 tl_status tl_user_kernel_missing(cl_program program, const tl_user_kernel *user, tl_error *err);
 
-/* Fails with TL_ERR_ARGUMENT where the entry is empty, or the name of a kernel of ours: the program
- * would be asked for that one. */
-tl_status tl_user_kernel_check_entry(const tl_user_kernel *user, tl_error *err);
-
 /* Whether the kernel takes what it will be given. Fails with TL_ERR_FORMAT, naming the argument. */
 tl_status tl_user_kernel_check_arguments(cl_kernel kernel,
                                          const tl_user_kernel *user,
