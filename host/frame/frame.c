@@ -222,8 +222,10 @@ static tl_frame frame_of(const tl_gbuffer *gbuffer,
     return frame;
 }
 
-static tl_status reserve_lights(tl_prepared *prepared, size_t count, tl_error *err)
+/* Room for one at least: what stands behind the lights needs a place even where there are none. */
+static tl_status reserve_lights(tl_prepared *prepared, size_t wanted, tl_error *err)
 {
+    const size_t count = wanted > 0 ? wanted : 1;
     if (count > INT32_MAX)
         return tl_fail(err, TL_ERR_ARGUMENT, "%zu lights: at most 2^31 are lit", count);
     if (count <= prepared->capacity)

@@ -5,7 +5,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Reads the size from the header. Returns 0 where the header is damaged. */
+/* Reads the size from the header. Returns 0 where the header is damaged, or the file shorter than it says.
+ * To be asked before tl_decode_rgba16. */
 int tl_decode_size(const uint8_t *data, size_t size, uint32_t *width, uint32_t *height);
 
 /* Writes the pixels to `out`, [height][width][4], top row first, linear: 65535 is 1. With `srgb`,

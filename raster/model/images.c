@@ -4,8 +4,10 @@
 #include "load_limits.h"
 #include "lookup.h"
 #include "parallel.h"
+#include "size_limit.h"
 #include "try.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -47,15 +49,21 @@ static tl_status check_format(const tl_gltf *gltf,
                    label_of(gltf, image).text);
 }
 
-/* All pixels together must stay below the limit: 8 bytes each once decoded, 11 with mipmaps. */
+/* All pixels together must stay below the limit: 8 bytes each once decoded, 11 with mipmaps; and none be out of
+ * proportion to its file. */
 static tl_status check_size(const tl_model *model, const tl_pixels *wanted, tl_error *err)
 {
-    uint64_t sum = (uint64_t)8 * wanted->width * wanted->height;
+    const uint64_t size = (uint64_t)8 * wanted->width * wanted->height;
+    uint64_t sum = size;
+    char where[1280];
     for (size_t i = 0; i < model->pixels_count; i++)
         sum += (uint64_t)8 * model->pixels[i].width * model->pixels[i].height;
     if (wanted->width <= TL_MAX_IMAGE_EXTENT && wanted->height <= TL_MAX_IMAGE_EXTENT &&
-        sum <= tl_max_texel_bytes)
-        return TL_OK;
+        sum <= tl_max_texel_bytes) {
+        snprintf(where, sizeof where, "%.1000s: %s", model->gltf->path,
+                 label_of(model->gltf, wanted->image).text);
+        return tl_check_decoded_size(where, wanted->bytes.size, size, err);
+    }
     return tl_fail(err, TL_ERR_UNSUPPORTED,
                    "%s: %s with its %u x %u pixels is more than fits: %d per side, and %llu "
                    "million pixels for all images",

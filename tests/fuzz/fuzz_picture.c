@@ -1,0 +1,25 @@
+/* Pictures that lights shine through or that are compared, OpenEXR or PNG: does any file do more than be
+ * refused? */
+#include "fuzz.h"
+
+#include "tilelight/image.h"
+
+#include <stdlib.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    const char *const path = fuzz_file(data, size);
+    tl_error err = {.status = TL_OK};
+    tl_image *image = NULL;
+    const tl_status status = tl_image_read(path, &image, NULL, &err);
+    fuzz_must_tell(status, &err, path);
+    if (status == TL_OK) {
+        uint8_t *const rgb = malloc((size_t)3 * image->width * image->height);
+        fuzz_must(rgb != NULL, "out of memory for %u x %u pixels", image->width, image->height);
+        const float exposure = tl_image_auto_exposure(image);
+        tl_image_to_rgb8(image, exposure, (tl_look){.tone = TL_TONE_ACES}, rgb);
+        free(rgb);
+    }
+    tl_image_destroy(image);
+    return 0;
+}
