@@ -4,7 +4,8 @@
  * computed positions, so three margins stand between the exact interval of the sphere and the
  * tiles that are kept (u = 2^-24):
  *   1. range. Computed d2 < range2 allows an exact distance up to sqrt(range2 (1 + 8u)): six
- *      roundings in d2. Below 1e-20 m squares vanish, so as much is added.
+ *      roundings in d2. Where a device flushes denormals, squares below 2^-63 m (1.1e-19) vanish in each
+ *      of three axes, so more than that is added; where none does, they vanish below 1e-22.
  *   2. ray. A computed position has x/depth off its pixel's ray by at most 8u (|left| + |right|):
  *      2u|ray| in view_position, 2u (|x0| + |dx| width) in rounding x0 and dx. A stored one by what
  *      the frame says (tl_frame.slack_x, slack_y), in m under parallel rays. Left and right are those
@@ -123,7 +124,7 @@ TL_INLINE tl_tile_rect tile_rect_of_sphere(tl_view_window w,
 /* The range that an exact distance may have at most. */
 TL_INLINE double widened_range(tl_view_light light)
 {
-    return sqrt((double)light.range2 * (1.0 + 0x1p-21)) + 1e-20;
+    return sqrt((double)light.range2 * (1.0 + 0x1p-21)) + 0x1p-61;
 }
 
 TL_INLINE tl_tile_rect tile_rect_of(tl_view_window w,

@@ -104,4 +104,22 @@ static inline tl_light rim_light(const tl_gbuffer *g, rim at, const float offset
     return light;
 }
 
+/* The first or the last column or row of a tile of 8 px, and so of larger ones, as often as any; ranges end
+ * before it, at it, beyond it by turns. */
+static inline rim rim_of_tile(const tl_gbuffer *g, uint32_t *seed, uint32_t i)
+{
+    rim at = {(uint32_t)uniform(seed, 0.0f, (float)g->camera.width),
+              (uint32_t)uniform(seed, 0.0f, (float)g->camera.height), (int)(i % 3) - 1};
+    const uint32_t last = i % 2 ? 7u : 0u;
+    if (i % 4 < 2)
+        at.x = at.x / 8 * 8 + last;
+    else
+        at.y = at.y / 8 * 8 + last;
+    if (at.x >= g->camera.width)
+        at.x = g->camera.width - 1;
+    if (at.y >= g->camera.height)
+        at.y = g->camera.height - 1;
+    return at;
+}
+
 #endif

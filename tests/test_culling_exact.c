@@ -1,11 +1,7 @@
 /* Is the image the same, bit for bit, whatever is culled, and is no light ever lost?
  *
  * The reference has neither tiles nor lists: the C twin shines every light on every pixel. */
-#include "frames.h"
-
-#include "position.h"
-#include "prepared.h"
-#include "reach.h"
+#include "rim_lights.h"
 
 static const struct {
     uint32_t width, height;
@@ -35,44 +31,42 @@ static void scattered(const tl_gbuffer *g, tl_light_set *lights, uint32_t count)
     }
 }
 
-/* Each light's range ends at one pixel, to the last bit: it is the least range whose square is not
- * above the computed d2, or one ulp more. In the image of one pixel the tile's box is that pixel,
- * and the bits of the two distances have to be the same. */
-static void shells(const tl_gbuffer *g, tl_light_set *lights, uint32_t count)
+static int is_surface(const tl_gbuffer *g, rim at)
 {
-    const tl_needs needs = {.orthographic = g->camera.projection == TL_ORTHOGRAPHIC};
-    tl_prepared prepared = {0};
-    uint32_t seed = 20110901;
-    tl_error err;
-    scattered(g, lights, count);
-    ASSERT_OK(tl_prepare(g, lights, &(tl_prepare_options){.tile_size = 16, .box_count = 1},
-                         NULL, &prepared, &err),
-              err);
-    for (uint32_t i = 0; i < count; i++) {
-        const uint32_t column = (uint32_t)uniform(&seed, 0.0f, (float)g->camera.width);
-        const uint32_t row = (uint32_t)uniform(&seed, 0.0f, (float)g->camera.height);
-        const float depth = tl_gbuffer_plane(g, TL_DEPTH)[(size_t)row * g->pitch + column];
-        if (isinf(depth))
-            continue;
-        const vec3 p =
-            view_position(prepared.frame.rays, needs, (float)column, (float)row, depth);
-        const vec3 l = vector_to_light(p, prepared.lights[i]);
-        const float rim = sqrtf(dot3(l, l));
-        lights->lights[i].range = i % 2 ? nextafterf(rim, INFINITY) : rim;
-        lights->lights[i].falloff = TL_FALLOFF_INVERSE_SQUARE;
-        lights->lights[i].intensity =
-            1e6f; /* so that what the window leaves at the rim shows */
-    }
-    tl_prepared_clear(&prepared);
+    return isfinite(tl_gbuffer_plane(g, TL_DEPTH)[(size_t)at.y * g->pitch + at.x]);
 }
 
-/* As bright up to that pixel as anywhere: what is lost at the rim shows at once. */
+/* As bright up to a pixel as anywhere, to the last bit: what is lost at the rim shows at once. The pixels are
+ * at the rims of tiles; some lights are straight beside them, where the rectangle ends as well.
+ * In the image of one pixel the tile's box is that pixel, and the bits of the two distances have to be the
+ * same. */
 static void steps(const tl_gbuffer *g, tl_light_set *lights, uint32_t count)
 {
-    shells(g, lights, count);
+    uint32_t seed = 20110901;
+    tl_error err;
     for (uint32_t i = 0; i < count; i++) {
-        lights->lights[i].falloff = TL_FALLOFF_LINEAR;
-        lights->lights[i].begin = lights->lights[i].range;
+        const rim at = rim_of_tile(g, &seed, i);
+        float offset[3];
+        for (int axis = 0; axis < 3; axis++)
+            offset[axis] = uniform(&seed, -1.0f, 1.0f);
+        for (int axis = 0; axis < 3 && i % 5 == 0; axis++)
+            offset[axis] *= axis == (int)(i / 5 % 3);
+        if (!is_surface(g, at))
+            continue;
+        tl_light light = rim_light(g, at, offset);
+        light.specular = uniform(&seed, 0.0f, 2.0f);
+        ASSERT_OK(tl_light_set_add(lights, &light, &err), err);
+    }
+}
+
+/* The same ranges under a window that ends there: what it leaves at the rim is next to nothing. */
+static void shells(const tl_gbuffer *g, tl_light_set *lights, uint32_t count)
+{
+    steps(g, lights, count);
+    for (uint32_t i = 0; i < lights->count; i++) {
+        lights->lights[i].falloff = TL_FALLOFF_INVERSE_SQUARE;
+        lights->lights[i].begin = 0.0f;
+        lights->lights[i].intensity = 1e6f;
     }
 }
 
@@ -230,6 +224,36 @@ static void image_never_changes(void **state)
     }
 }
 
+/* The rims of tiles on the path for GPUs, whose groups bound tiles pixel by pixel. */
+static void work_groups_keep_the_rims(void **state)
+{
+    static const uint32_t tiles[] = {8, 32};
+    for (size_t size = 0; size < COUNT_OF(sizes); size++) {
+        const tl_camera camera =
+            camera_of(sizes[size].width, sizes[size].height, sizes[size].projection);
+        tl_gbuffer *g = random_gbuffer(&camera, TL_GROUP_BASE | TL_GROUP_PHONG, 1977);
+        push_back(g, sizes[size].behind);
+        tl_image *want = image_like(g), *got = image_like(g);
+        tl_lighting_options options = {.precision = TL_PRECISION_TWIN, .tile_size = 16};
+        tl_light_set lights = {0};
+        steps(g, &lights, SMALL);
+        light_frame(NULL, &options, g, &lights, want);
+        for (size_t t = 0; t < COUNT_OF(tiles); t++)
+            for (int cull = 0; cull < TL_CULL_COUNT; cull++) {
+                options = (tl_lighting_options){.cull = (tl_cull)cull,
+                                                .path = TL_PATH_GPU,
+                                                .tile_size = tiles[t],
+                                                .effects = TL_EFFECTS_ALL};
+                light_frame(*state, &options, g, &lights, got);
+                assert_same_image(got, want, "by work-groups");
+            }
+        tl_light_set_clear(&lights);
+        tl_image_destroy(want);
+        tl_image_destroy(got);
+        tl_gbuffer_destroy(g);
+    }
+}
+
 static void most_pairs_are_culled(void **state)
 {
     const tl_camera camera = camera_of(61, 40, TL_PERSPECTIVE);
@@ -333,6 +357,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(image_never_changes),
+        cmocka_unit_test(work_groups_keep_the_rims),
         cmocka_unit_test(most_pairs_are_culled),
         cmocka_unit_test(lights_between_surfaces_cost_nothing),
         cmocka_unit_test(bands_do_not_show),

@@ -5,11 +5,9 @@
  * are many pixels off their rays here, outside of their lights' rectangles unless those know of it. The
  * widths take turns, for every program takes a second or two to build; with the argument `all' every
  * layout is lit in every width, which builds some 150 programs, in five minutes. */
-#include "packed_frames.h"
+#include "rim_lights.h"
 
 #include "device.h"
-#include "prepared.h"
-#include "reach.h"
 #include "reference.h"
 
 enum { WIDTH = 70, HEIGHT = 37, LIGHT_COUNT = 120 };
@@ -44,14 +42,17 @@ static const struct {
     const char *name;
     double eye, field_of_view; /* m from the world's origin, looked at; rad */
     void (*change)(tl_gbuffer *g);
+    uint32_t width, height; /* px */
 } frames[] = {
-    {"as packed", 6.0, 1.2, NULL},
-    {"positions off their rays", 6.0, 1.2, moved},
-    {"nobody knows how far", 6.0, 1.2, moved_unseen},
-    {"a field of view of a ten-thousandth of a degree", 6.0, 2e-6, moved},
-    {"as far away as halves go", 6e4, 1.2, NULL},
-    {"farther", 1e5, 1.2, moved},
-    {"random bits", 6.0, 1.2, scrambled},
+    {"as packed", 6.0, 1.2, NULL, WIDTH, HEIGHT},
+    {"positions off their rays", 6.0, 1.2, moved, WIDTH, HEIGHT},
+    {"nobody knows how far", 6.0, 1.2, moved_unseen, WIDTH, HEIGHT},
+    {"a field of view of a ten-thousandth of a degree", 6.0, 2e-6, moved, WIDTH, HEIGHT},
+    {"as far away as halves go", 6e4, 1.2, NULL, WIDTH, HEIGHT},
+    {"farther", 1e5, 1.2, moved, WIDTH, HEIGHT},
+    {"random bits", 6.0, 1.2, scrambled, WIDTH, HEIGHT},
+    {"a column of pixels", 6.0, 1.2, moved, 1, WIDTH},
+    {"a row of pixels", 6.0, 0.1, moved, WIDTH, 1},
 };
 enum { MOVED = 1 };
 
@@ -59,8 +60,8 @@ static tl_gbuffer *frame_of(size_t i, enum tl_layout_name layout, tl_projection 
 {
     const double eye[3] = {frames[i].eye, 30.0, 20.0}, target[3] = {0.0, 0.0, 0.0};
     static const double up[3] = {0.1, 1.0, 0.2};
-    tl_camera camera =
-        tl_camera_look_at(eye, target, up, frames[i].field_of_view, WIDTH, HEIGHT, 0.1, 100.0);
+    tl_camera camera = tl_camera_look_at(eye, target, up, frames[i].field_of_view,
+                                         frames[i].width, frames[i].height, 0.1, 100.0);
     camera.projection = projection;
     tl_gbuffer *g = packed_gbuffer(&camera, layout, 1977);
     if (frames[i].change)
@@ -68,47 +69,27 @@ static tl_gbuffer *frame_of(size_t i, enum tl_layout_name layout, tl_projection 
     return g;
 }
 
-/* At where float kernels see pixels, and around; the range of each ends at the pixel to the last bit, or
- * one ulp behind it. */
+/* Positions of random bits may be so far away that squares of distances leave the floats. */
+static const float farthest = 1e15f;
+
+/* At where float kernels see pixels at the rims of tiles, and around; the range of each ends at the pixel to
+ * the last bit, one float before or beyond it, and it is as bright there as anywhere. */
 static void light_the_pixels(const tl_gbuffer *g, tl_light_set *lights)
 {
-    const tl_word_planes planes = tl_word_planes_of(g);
-    tl_prepared prepared = {0};
-    vec3 at[LIGHT_COUNT];
     uint32_t seed = 20110901;
     tl_error err;
-    ASSERT_OK(tl_prepare(g, lights, &(tl_prepare_options){.tile_size = 16, .box_count = 1},
-                         NULL, &prepared, &err),
-              err);
-    for (int i = 0; i < LIGHT_COUNT; i++) {
-        const uint32_t x = (uint32_t)uniform(&seed, 0.0f, WIDTH);
-        const uint32_t y = (uint32_t)uniform(&seed, 0.0f, HEIGHT);
-        const tl_words words = tl_words_at(&planes, (size_t)y * g->pitch + x);
+    for (uint32_t i = 0; i < LIGHT_COUNT; i++) {
+        const rim at = rim_of_tile(g, &seed, i);
+        const vec3 p = position_at(g, at.x, at.y);
         tl_light light = tl_light_default();
-        double view[3] = {0.0, 0.0, -1.0}, world[3];
-        const vec3 p = position_of(&prepared.frame, prepared.needs, planes.layout, &words,
-                                   (float)x, (float)y);
-        at[i] = p;
-        const float seen[3] = {p.x, p.y, p.z};
-        for (int axis = 0; axis < 3 && isfinite(p.z); axis++)
-            view[axis] = (double)seen[axis] + (double)uniform(&seed, -0.3f, 0.3f);
-        tl_camera_world_point(&g->camera, view, world);
+        float offset[3];
         for (int axis = 0; axis < 3; axis++)
-            light.position[axis] = (float)world[axis];
+            offset[axis] = uniform(&seed, -0.3f, 0.3f);
         light.range = 1.0f;
-        light.intensity = 1e6f; /* so that what the window leaves at the rim shows */
+        if (fmaxf(fabsf(p.x), fmaxf(fabsf(p.y), fabsf(p.z))) < farthest)
+            light = rim_light(g, at, offset);
         ASSERT_OK(tl_light_set_add(lights, &light, &err), err);
     }
-    ASSERT_OK(tl_prepare(g, lights, &(tl_prepare_options){.tile_size = 16, .box_count = 1},
-                         NULL, &prepared, &err),
-              err);
-    for (int i = 0; i < LIGHT_COUNT; i++) {
-        const vec3 l = vector_to_light(at[i], prepared.lights[i]);
-        const float rim = sqrtf(dot3(l, l));
-        if (rim > 0.0f && isfinite(rim))
-            lights->lights[i].range = i % 2 ? nextafterf(rim, INFINITY) : rim;
-    }
-    tl_prepared_clear(&prepared);
 }
 
 /* What cuts a frame into work-items, and in which arithmetic. */

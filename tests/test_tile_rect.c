@@ -190,6 +190,48 @@ static void rectangles_hold_every_pixel(void **state)
     }
 }
 
+static float flushed(float value)
+{
+    return fabsf(value) < 0x1p-126f ? 0.0f : value;
+}
+
+/* d2 < range2 of a device that flushes denormals: squares of less than 1e-19 m are 0. */
+static int reaches_by_flushing(const float l[3], float range2)
+{
+    float distance2 = 0.0f;
+    for (int axis = 2; axis >= 0; axis--)
+        distance2 = flushed(fmaf(l[axis], l[axis], distance2));
+    return distance2 < flushed(range2);
+}
+
+/* Two axes meet in the disc that a perspective camera sees. */
+static void rectangles_hold_where_squares_are_flushed(void **state)
+{
+    const tl_frame frame = frame_of(0);
+    const tl_view_window window = view_window(&frame, TL_LEAST_DEPTH(0), TL_GREATEST_DEPTH, 0);
+    uint32_t seed = 13, reached = 0;
+    (void)state;
+    for (int k = 0; k < POINT_COUNT; k++) {
+        const uint32_t x = (uint32_t)uniform(&seed, 0.0f, TILES_X * TILE);
+        const uint32_t y = (uint32_t)uniform(&seed, 0.0f, TILES_Y * TILE);
+        const float range = uniform(&seed, 1.1e-19f, 1.2e-19f);
+        const float depth = uniform(&seed, 5e-19f, 1e-18f);
+        const float at[3] = {(frame.rays.x0 + (float)x * frame.rays.dx) * depth,
+                             (frame.rays.y0 + (float)y * frame.rays.dy) * depth, -depth};
+        tl_view_light light = {.range2 = range * range};
+        float l[3];
+        for (int axis = 0; axis < 3; axis++) {
+            light.position[axis] = at[axis] + uniform(&seed, -1.2e-19f, 1.2e-19f);
+            l[axis] = flushed(light.position[axis] - at[axis]);
+        }
+        if (!reaches_by_flushing(l, light.range2))
+            continue;
+        reached++;
+        assert_in_rect(tile_rect_of(window, &frame, light), 0, (int)x / TILE, (int)y / TILE);
+    }
+    assert_in_range(reached, POINT_COUNT / 10, POINT_COUNT);
+}
+
 /* Margins are no excuse for rectangles of everything. */
 static void rectangles_without_slack_are_small(void **state)
 {
@@ -205,6 +247,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rectangles_hold_every_pixel),
+        cmocka_unit_test(rectangles_hold_where_squares_are_flushed),
         cmocka_unit_test(rectangles_without_slack_are_small),
         cmocka_unit_test(rectangles_of_cones_hold_every_pixel),
         cmocka_unit_test(rectangles_of_cones_are_smaller),
