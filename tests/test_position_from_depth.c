@@ -1,16 +1,14 @@
 /* Is a position from stored depth as exact as kernels/depth_code.h derives, in every convention and under
  * every camera, and does the textbook form fail there?
  *
- * The oracle works in 128-bit floats from the definitions of the conventions. It has two parts: how far
- * the number that is stored may be from the surface, half a step of it, and what reading that number in
- * float may add, a few u of the depth whatever far/near is. The second is what the form decides. */
+ * tests/oracle/depth.h has the definitions of the conventions. Bounds have two parts: how far the number that
+ * is stored may be from the surface, half a step of it, and what reading that number in float may add, a few
+ * u of the depth whatever far/near is. The second is what the form decides. */
 #include "layout_frames.h"
 
 #include "packing.h"
 
-#include <quadmath.h>
-
-typedef __float128 wide;
+#include "oracle/depth.h"
 
 static const wide u = 0x1p-24Q;
 static const wide margin = 1 + 0x1p-20Q; /* products of errors */
@@ -54,21 +52,9 @@ static wide share_of(const struct convention *c, wide stored)
                                                  : stored;
 }
 
-/* Of the projection, near and far on 0 and 1. */
-static wide depth_of_share(const tl_camera *c, int linear, wide share)
+static tl_depth_range range_of(const tl_camera *c, int linear)
 {
-    const wide near = c->near, far = c->far;
-    if (linear)
-        return near + share * (far - near);
-    return isinf(c->far) ? near / (1 - share) : near * far / (far - share * (far - near));
-}
-
-static wide share_of_depth(const tl_camera *c, int linear, wide depth)
-{
-    const wide near = c->near, far = c->far;
-    if (linear)
-        return (depth - near) / (far - near);
-    return isinf(c->far) ? 1 - near / depth : far * (depth - near) / (depth * (far - near));
+    return (tl_depth_range){c->near, c->far, linear};
 }
 
 /* Half of the step between floats at x, or below 1 the whole one that keeps a surface from being sky. */
@@ -117,7 +103,8 @@ static void check_storage(const spot *s, wide shown, wide stored)
     const tl_camera *c = &s->from->camera;
     const int linear = is_linear(s->convention, c);
     const wide step =
-        half_step(s->convention, share_of_depth(c, linear, shown)) + packing(c, linear, shown);
+        half_step(s->convention, tl_oracle_share_of_depth(range_of(c, linear), shown)) +
+        packing(c, linear, shown);
     const wide near = c->near, far = c->far;
     if (linear) {
         check(s, "stored depth", stored, shown, step * (far - near) * margin);
@@ -147,7 +134,7 @@ static void check_across(const spot *s, int axis, wide got, wide depth, wide dep
     const tl_camera *c = &s->from->camera;
     const wide begin = axis ? c->top : c->left, end = axis ? c->bottom : c->right;
     const wide cells = axis ? c->height : c->width, index = axis ? s->row : s->column;
-    const wide step = (end - begin) / cells, ray = begin + (index + 0.5Q) * step;
+    const wide step = (end - begin) / cells, ray = tl_oracle_ray(begin, end, cells, index);
     const wide ray_off =
         u * (fabsq(begin + step / 2) + fabsq(index * step) + fabsq(ray)) * margin;
     if (c->projection == TL_ORTHOGRAPHIC)
@@ -169,9 +156,9 @@ static void check_pixel(const spot *s, const tl_frame *frame, tl_needs needs)
         assert_true(isinf(got[2]) && got[2] < 0.0f);
         return;
     }
-    const wide stored =
-        depth_of_share(&s->from->camera, is_linear(s->convention, &s->from->camera),
-                       share_of(s->convention, stored_number(s->convention, s->packed, s->at)));
+    const wide stored = tl_oracle_depth_of_share(
+        range_of(&s->from->camera, is_linear(s->convention, &s->from->camera)),
+        share_of(s->convention, stored_number(s->convention, s->packed, s->at)));
     const wide bound = reading_bound(s, stored);
     check_storage(s, shown, stored);
     check(s, "depth as read", -(wide)got[2], stored, bound);
@@ -229,7 +216,7 @@ static void worst_reading(const tl_camera *camera, wide *ours, wide *theirs)
     tl_view_set(camera, TL_LAYOUT_FLOAT_FORWARD, &frame);
     for (uint32_t k = 1; k < 4096; k++) {
         const float d = 1.0f - (float)k * (k % 2 ? 0x1p-24f : 0x1p-12f);
-        const wide exact = depth_of_share(camera, 0, d);
+        const wide exact = tl_oracle_depth_of_share(range_of(camera, 0), d);
         const wide read = depth_of(&frame, (tl_needs){.orthographic = 0}, TL_DEPTH_FORWARD,
                                    nearness_of(TL_DEPTH_FORWARD, d));
         *ours = fmaxq(*ours, fabsq(read - exact) / exact);

@@ -11,18 +11,22 @@
 
 typedef __float128 wide;
 
-/* The sum of `count` terms, as if added up with 226 bits and then rounded: off by 2v of itself and by
- * v^2 count^2 of the sum of magnitudes (Ogita, Rump, Oishi 2005, "Accurate Sum and Dot Product", Sum2). */
-static inline wide wide_sum(const wide *terms, size_t count)
-{
-    wide sum = 0, error = 0;
-    for (size_t i = 0; i < count; i++) {
-        const wide next = sum + terms[i], from_term = next - sum;
-        error += (sum - (next - from_term)) + (terms[i] - from_term);
-        sum = next;
+/* Defines the sum of `count` terms, as if added up with twice the digits and then rounded (Ogita, Rump, Oishi
+ * 2005, "Accurate Sum and Dot Product", Sum2). */
+#define TL_ACCURATE_SUM(name, number)                                     \
+    static inline number name(const number *terms, size_t count)          \
+    {                                                                     \
+        number sum = 0, error = 0;                                        \
+        for (size_t i = 0; i < count; i++) {                              \
+            const number next = sum + terms[i], from_term = next - sum;   \
+            error += (sum - (next - from_term)) + (terms[i] - from_term); \
+            sum = next;                                                   \
+        }                                                                 \
+        return sum + error;                                               \
     }
-    return sum + error;
-}
+
+/* Off by 2v of itself and by v^2 count^2 of the sum of magnitudes. */
+TL_ACCURATE_SUM(wide_sum, wide)
 
 static inline wide wide_sum3(wide a, wide b, wide c)
 {
