@@ -3,8 +3,9 @@
 #include "sphere_bounds.h"
 
 /* Cells [*first, *end) of `count` between the edges `at_0` and `at_count` that the interval meets:
- * from the one that holds its one end to the one that holds the other. A pixel whose centre is in
- * the interval is half a cell inside, which no rounding here comes near. 0 if there is none. */
+ * from the one that holds its one end to the one that holds the other. A pixel whose centre is in the
+ * interval is half a cell inside, which no rounding here comes near. Whether there is one is asked of
+ * the edges themselves, so that what touches them is in where the interval is exact. 0 if there is none. */
 static int cells_of(tl_interval interval,
                     double at_0,
                     double at_count,
@@ -12,11 +13,13 @@ static int cells_of(tl_interval interval,
                     uint32_t *first,
                     uint32_t *end)
 {
+    const double least = at_0 < at_count ? at_0 : at_count;
+    const double most = at_0 < at_count ? at_count : at_0;
+    if (interval.low > interval.high || interval.high < least || interval.low > most)
+        return 0;
     const double scale = (double)count / (at_count - at_0);
     const double a = (interval.low - at_0) * scale, b = (interval.high - at_0) * scale;
     const double from = a < b ? a : b, to = a < b ? b : a;
-    if (interval.low > interval.high || to < 0.0 || from > (double)count)
-        return 0;
     *first = from > 0.0 ? (uint32_t)from : 0;
     *end = to < (double)count ? (uint32_t)to + 1 : count;
     if (*first == count)
