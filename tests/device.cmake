@@ -1,6 +1,6 @@
 # What the device computes, and the formulas behind it.
-tl_test(test_tile_rect unit tl_frame)
-tl_test(test_spot_culling unit tl_frame)
+tl_oracle_test(test_tile_rect unit tl_light_cases)
+tl_oracle_test(test_spot_culling unit tl_light_cases)
 tl_test(test_sections unit tl_frame)
 tl_test(test_brdf_table unit tl_frame)
 tl_test(test_specular_rounding unit tl_frame)

@@ -5,6 +5,9 @@
  * put around them, of no size and of all sizes. */
 #include "frames.h"
 
+#include "bounds/cone_verdict.h"
+#include "oracle/cone.h"
+
 #include "spot.h"
 #include "spot_cone.h"
 
@@ -143,26 +146,38 @@ static void what_is_no_number_is_met(void **state)
     assert_true(cone_meets_box(whole_space(), light, endless));
 }
 
-/* The most that l.a - cos |l| comes to in a box of ways, axis by axis until it stays: concave up to a
- * quarter turn, so there is one top. */
+/* By the oracle: all angles, distances and boxes that are hard, and the deepest position of each box.
+ * scripts/prove-bounds tries more. */
+static void cones_are_where_the_oracle_says(void **state)
+{
+    enum { CASES = 20000 };
+    (void)state;
+    for (int f = 0; f < TL_CONE_FAMILIES; f++) {
+        tl_tally tally = {.cases = 0};
+        for (uint64_t i = 0; i < CASES; i++) {
+            tl_draws draws = draws_of(2011, (uint64_t)f, i);
+            const tl_cone_case c = tl_cone_families[f].draw(&draws);
+            tl_try_cone(&c, &tally);
+        }
+        if (tally_violations(&tally) > 0)
+            fail_msg("%s: of %d cases %d lost positions, %d light one that is out of the cone, "
+                     "%d do "
+                     "not light one that is in it",
+                     tl_cone_families[f].name, (int)CASES, (int)tally.lost,
+                     (int)tally.falsely_kept, (int)tally.falsely_empty);
+        assert_in_range(tally.hits, CASES / 20, CASES);
+    }
+}
+
+/* The most that l.a - cos |l| comes to in a box of ways. */
 static double top_of(const tl_view_spot *spot, const double low[3], const double high[3])
 {
-    const double c = (double)spot->least_cos;
-    double l[3], top = 0.0, length2 = 0.0;
-    for (int i = 0; i < 3; i++)
-        l[i] = 0.5 * (low[i] + high[i]);
-    for (int step = 0; step < 300; step++) {
-        const int i = step % 3;
-        const double rest = hypot(l[(i + 1) % 3], l[(i + 2) % 3]);
-        const double a = (double)spot->axis[i];
-        const double best = fabs(a) < c ? a * rest / sqrt(c * c - a * a) : copysign(1e9, a);
-        l[i] = fmin(fmax(best, low[i]), high[i]);
-    }
-    for (int i = 0; i < 3; i++) {
-        top += (double)spot->axis[i] * l[i];
-        length2 += l[i] * l[i];
-    }
-    return top - c * sqrt(length2);
+    const double axis[3] = {(double)spot->axis[0], (double)spot->axis[1],
+                            (double)spot->axis[2]};
+    double l[3];
+    tl_oracle_deepest_way(axis, (double)spot->least_cos, low, high, 300, l);
+    return axis[0] * l[0] + axis[1] * l[1] + axis[2] * l[2] -
+           (double)spot->least_cos * sqrt(l[0] * l[0] + l[1] * l[1] + l[2] * l[2]);
 }
 
 /* Boxes in reach of a light of range 1: how many are met, over how many the cone touches. */
@@ -212,6 +227,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_position_is_lost),
+        cmocka_unit_test(cones_are_where_the_oracle_says),
         cmocka_unit_test(what_is_no_number_is_met),
         cmocka_unit_test(few_boxes_are_met_in_vain),
     };

@@ -4,6 +4,8 @@
  * Backwards: a pixel, a position as far off its ray as the slack allows, a light that reaches it. */
 #include "frames.h"
 
+#include "bounds/tile_families.h"
+
 #include "spot_cone.h"
 #include "tile_rect.h"
 
@@ -243,6 +245,24 @@ static void rectangles_without_slack_are_small(void **state)
     assert_in_range((rect.x1 - rect.x0) * (rect.y1 - rect.y0), 1, 4);
 }
 
+/* Lights that reach a pixel by one ulp, of every camera that is hard: scripts/prove-bounds tries more. */
+static void rectangles_hold_what_is_reached_by_an_ulp(void **state)
+{
+    enum { CASES = 150000 };
+    (void)state;
+    for (int f = 0; f < TL_TILE_FAMILIES; f++) {
+        tl_tally tally = {.cases = 0};
+        for (uint64_t i = 0; i < CASES; i++) {
+            tl_draws draws = draws_of(1995, (uint64_t)f, i);
+            tl_tile_families[f].attempt(&draws, &tally);
+        }
+        if (tally.lost > 0)
+            fail_msg("%s: %d of %d pixels lost", tl_tile_families[f].name, (int)tally.lost,
+                     (int)tally.hits);
+        assert_in_range(tally.hits, CASES / 4, CASES);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -251,6 +271,7 @@ int main(void)
         cmocka_unit_test(rectangles_without_slack_are_small),
         cmocka_unit_test(rectangles_of_cones_hold_every_pixel),
         cmocka_unit_test(rectangles_of_cones_are_smaller),
+        cmocka_unit_test(rectangles_hold_what_is_reached_by_an_ulp),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
