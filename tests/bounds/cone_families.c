@@ -163,17 +163,20 @@ static tl_cone_case long_boxes(tl_draws *d)
     return c;
 }
 
-/* The way of the position is the one of the box that is deepest in the cone: a corner of the box, whose other
- * corners are on the far side. */
-static tl_cone_case touching_corner(tl_draws *d)
+/* The position is a corner of the box, and deeper in the cone than all else of it: the box lies to that side
+ * of it where (p.d - cos |p|), p from the light, d the direction, becomes less. */
+static tl_cone_case touched_at_corner(tl_draws *d)
 {
     tl_cone_case c = any_angle(d);
+    const double way[3] = {(double)c.position[0] - (double)c.light[0],
+                           (double)c.position[1] - (double)c.light[1],
+                           (double)c.position[2] - (double)c.light[2]};
+    const double length = sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
     for (int i = 0; i < 3; i++) {
-        const float axis_end = c.position[i] - c.light[i];
-        if ((axis_end > 0.0f) != (c.direction[i] > axis_end))
-            c.low[i] = c.position[i];
-        else
+        if ((double)c.direction[i] * length > cos((double)c.half_angle) * way[i])
             c.high[i] = c.position[i];
+        else
+            c.low[i] = c.position[i];
     }
     return c;
 }
@@ -198,6 +201,6 @@ const tl_cone_family tl_cone_families[TL_CONE_FAMILIES] = {
     {"a quarter turn, 4 ulps about", quarter_turn},
     {"half a turn, and next to it", half_turn},
     {"long boxes", long_boxes},
-    {"boxes beside the cone", touching_corner},
+    {"boxes that the cone touches at a corner", touched_at_corner},
     {"coarse places, far from the origin", coarse_places},
 };
