@@ -32,8 +32,8 @@ static void draw_turned(tl_draws *d, const double from[3], double angle, double 
 
 static float any_half_angle(tl_draws *d)
 {
-    return (float)(draw_chance(d, 0.5) ? draw(d, 0.0, 3.14159274)
-                                       : draw_magnitude(d, 1e-4, 3.1415));
+    const int is_even = draw_chance(d, 0.5);
+    return (float)(is_even ? draw(d, 0.0, 3.14159274) : draw_magnitude(d, 1e-4, 3.1415));
 }
 
 /* A position at the edge of the cone as a rule, but for 1e-8 to 1 radians, `away` from the light, which is up
@@ -86,14 +86,16 @@ static tl_cone_case any_angle(tl_draws *d)
 static tl_cone_case position_alone(tl_draws *d)
 {
     const double away = draw_magnitude(d, 1e-3, 1e3);
-    return at_edge(d, any_half_angle(d), away, draw_chance(d, 0.5) ? 0.0 : away);
+    const double place = draw_chance(d, 0.5) ? 0.0 : away;
+    const float half_angle = any_half_angle(d);
+    return at_edge(d, half_angle, away, place);
 }
 
 static tl_cone_case all_distances(tl_draws *d)
 {
     const double away = draw_magnitude(d, 1e-30, 1e30);
-    tl_cone_case c = at_edge(d, any_half_angle(d), away,
-                             draw_chance(d, 0.5) ? 0.0 : away * draw_magnitude(d, 1e-3, 1e3));
+    const double place = draw_chance(d, 0.5) ? 0.0 : away * draw_magnitude(d, 1e-3, 1e3);
+    tl_cone_case c = at_edge(d, any_half_angle(d), away, place);
     grow_box(d, &c, away, 1e-7, 10.0);
     return c;
 }
@@ -102,7 +104,8 @@ static tl_cone_case all_distances(tl_draws *d)
 static tl_cone_case endless_boxes(tl_draws *d)
 {
     const double away = draw_magnitude(d, 1e-10, 1e15);
-    tl_cone_case c = at_edge(d, any_half_angle(d), away, draw_chance(d, 0.5) ? 0.0 : away);
+    const double place = draw_chance(d, 0.5) ? 0.0 : away;
+    tl_cone_case c = at_edge(d, any_half_angle(d), away, place);
     grow_box(d, &c, away, 1.0, 1e22);
     return c;
 }
@@ -185,7 +188,8 @@ static tl_cone_case touched_at_corner(tl_draws *d)
 static tl_cone_case coarse_places(tl_draws *d)
 {
     const double away = draw_magnitude(d, 1e-3, 1e3);
-    tl_cone_case c = at_edge(d, any_half_angle(d), away, away * draw_magnitude(d, 1e4, 3e7));
+    const double place = away * draw_magnitude(d, 1e4, 3e7);
+    tl_cone_case c = at_edge(d, any_half_angle(d), away, place);
     grow_box(d, &c, away, 1e-3, 1.0);
     return c;
 }

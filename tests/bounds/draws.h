@@ -1,5 +1,6 @@
 /* Random numbers of one case: they depend on the seed, the family and the case's index alone, so cases may
- * be tried in any order, on any number of processors. */
+ * be tried in any order, on any number of processors. No expression draws twice where C leaves open in which
+ * order. */
 #ifndef TL_TEST_DRAWS_H
 #define TL_TEST_DRAWS_H
 

@@ -57,6 +57,12 @@ static uint32_t draw_extent(tl_draws *d)
                         : (uint32_t)draw_magnitude(d, 1.0, TL_MAX_EXTENT);
 }
 
+static tl_camera camera_of_field(tl_draws *d, double fov, double offset)
+{
+    const uint32_t width = draw_extent(d), height = draw_extent(d);
+    return tl_test_camera(fov, offset, width, height);
+}
+
 static float next_above(float v, float low)
 {
     return v > low ? v : nextafterf(low, INFINITY);
@@ -66,9 +72,9 @@ static float next_above(float v, float low)
  * rays. */
 static tl_camera draw_camera(tl_draws *d)
 {
-    tl_camera c = tl_test_camera(draw_magnitude(d, 0.01, 179.9),
-                                 draw_chance(d, 0.5) ? 0.0 : draw(d, -3.0, 3.0), draw_extent(d),
-                                 draw_extent(d));
+    const double fov = draw_magnitude(d, 0.01, 179.9);
+    const double offset = draw_chance(d, 0.5) ? 0.0 : draw(d, -3.0, 3.0);
+    tl_camera c = camera_of_field(d, fov, offset);
     const float aspect = (float)draw_magnitude(d, 0.1, 10.0);
     c.left *= aspect;
     c.right = next_above(c.right * aspect, c.left);
@@ -248,8 +254,9 @@ static tl_sphere_case depth_is_radius(tl_draws *d)
     tl_sphere_case s = with_camera(d);
     place_around(d, &s);
     s.radius = fabsf(draw_beside(d, (double)s.center[2], 1));
-    if (draw_chance(d, 0.2)) /* and an axis, too */
-        s.center[draw_index(d, 2)] = draw_chance(d, 0.5) ? s.radius : -s.radius;
+    const float beside = draw_chance(d, 0.5) ? s.radius : -s.radius;
+    if (draw_chance(d, 0.2)) /* an axis, too */
+        s.center[draw_index(d, 2)] = beside;
     return s;
 }
 
@@ -323,8 +330,8 @@ static tl_sphere_case tangent_point_on_plane(tl_draws *d)
 
 static tl_sphere_case narrow_fields(tl_draws *d)
 {
-    tl_sphere_case s = {.camera = tl_test_camera(draw(d, 0.01, 0.1), draw(d, -2.0, 2.0),
-                                                 draw_extent(d), draw_extent(d))};
+    const double fov = draw(d, 0.01, 0.1), offset = draw(d, -2.0, 2.0);
+    tl_sphere_case s = {.camera = camera_of_field(d, fov, offset)};
     place_in_view(d, &s, draw_magnitude(d, 0.05, 200.0));
     s.radius = (float)draw_magnitude(d, 1e-9, 10.0);
     return s;
@@ -332,8 +339,8 @@ static tl_sphere_case narrow_fields(tl_draws *d)
 
 static tl_sphere_case wide_fields(tl_draws *d)
 {
-    tl_sphere_case s = {.camera = tl_test_camera(draw(d, 170.0, 179.9), draw(d, -0.5, 0.5),
-                                                 draw_extent(d), draw_extent(d))};
+    const double fov = draw(d, 170.0, 179.9), offset = draw(d, -0.5, 0.5);
+    tl_sphere_case s = {.camera = camera_of_field(d, fov, offset)};
     s.camera.left *= 2.0f;
     s.camera.right *= 2.0f;
     place_in_view(d, &s, draw_magnitude(d, 0.05, 200.0));
@@ -344,10 +351,9 @@ static tl_sphere_case wide_fields(tl_draws *d)
 /* Windows of a large picture: the edges are close to each other and far from the view axis. */
 static tl_sphere_case windows(tl_draws *d)
 {
-    const double offset = draw_magnitude(d, 1.0, 1e5);
-    tl_sphere_case s = {.camera = tl_test_camera(draw_magnitude(d, 0.01, 120.0),
-                                                 draw_chance(d, 0.5) ? offset : -offset,
-                                                 draw_extent(d), draw_extent(d))};
+    const double fov = draw_magnitude(d, 0.01, 120.0), offset = draw_magnitude(d, 1.0, 1e5);
+    const double sign = draw_chance(d, 0.5) ? 1.0 : -1.0;
+    tl_sphere_case s = {.camera = camera_of_field(d, fov, sign * offset)};
     s.camera.right = next_above(s.camera.right, s.camera.left);
     place_in_view(d, &s, draw_magnitude(d, 0.05, 200.0));
     s.radius = (float)(distance(&s, 0) * draw_magnitude(d, 1e-9, 1.0));
@@ -390,13 +396,13 @@ static tl_sphere_case near_at_eye(tl_draws *d)
     s.camera.projection = TL_PERSPECTIVE;
     s.camera.near = (float)draw_magnitude(d, 1e-30, 1e-3);
     s.camera.far = INFINITY;
-    const double depth = (double)(float)draw_magnitude(d, 1e-2, 1e2),
-                 near = (double)s.camera.near;
+    const double depth = (double)(float)draw_magnitude(d, 1e-2, 1e2);
+    const double near = (double)s.camera.near;
     const double m = slope_in_image(d, &s.camera, 0);
     s.center[2] = (float)-depth;
     s.center[1] = draw_signed(d, 1e-20, 1e2);
     s.radius = (float)depth;
-    /* c^2 - 2 m near c - (2 depth near - (1 + m^2) near^2) = 0 */
+    /* (m near - c)^2 + (near - depth)^2 = depth^2 */
     s.center[0] =
         draw_beside(d, m * near - sqrt(fmax(2.0 * depth * near - near * near, 0.0)), 2);
     if (draw_chance(d, 0.5)) {
@@ -411,9 +417,9 @@ static tl_sphere_case named_about(tl_draws *d)
     static const double fovs[] = {0.01, 1, 60, 90, 120, 179.9}, offsets[] = {0, 0.3, -1, -2};
     static const uint32_t extents[] = {1, 3, 1080, 1920, TL_MAX_EXTENT};
     const tl_named_sphere *named = &tl_named_spheres[draw_index(d, TL_NAMED_SPHERES)];
-    tl_sphere_case s = {
-        .camera = tl_test_camera(fovs[draw_index(d, 6)], offsets[draw_index(d, 4)],
-                                 extents[draw_index(d, 5)], extents[draw_index(d, 5)])};
+    const double fov = fovs[draw_index(d, 6)], offset = offsets[draw_index(d, 4)];
+    const uint32_t width = extents[draw_index(d, 5)], height = extents[draw_index(d, 5)];
+    tl_sphere_case s = {.camera = tl_test_camera(fov, offset, width, height)};
     s.camera.projection = draw_chance(d, 0.2) ? TL_ORTHOGRAPHIC : TL_PERSPECTIVE;
     for (int i = 0; i < 3; i++)
         s.center[i] = draw_beside(d, (double)named->center[i], 2);

@@ -35,7 +35,9 @@ static void draw_across(tl_draws *d, const double from[3], double out[3])
 {
     double length2 = 0.0;
     while (!(length2 > 1e-3)) {
-        const double other[3] = {draw(d, -1.0, 1.0), draw(d, -1.0, 1.0), draw(d, -1.0, 1.0)};
+        double other[3];
+        for (int i = 0; i < 3; i++)
+            other[i] = draw(d, -1.0, 1.0);
         const double along = product(other, from);
         for (int i = 0; i < 3; i++)
             out[i] = other[i] - along * from[i];
@@ -186,7 +188,8 @@ static void try_spot(tl_draws *d, tl_tally *tally)
 /* Where the sphere around a cone changes its form: 45 and 90 degrees. */
 static void try_spot_at_turn(tl_draws *d, tl_tally *tally)
 {
-    try_spot_of(d, tally, draw_beside(d, draw_chance(d, 0.5) ? 0.785398163 : 1.570796327, 3));
+    const double turn = draw_chance(d, 0.5) ? 0.785398163 : 1.570796327;
+    try_spot_of(d, tally, draw_beside(d, turn, 3));
 }
 
 const tl_tile_family tl_tile_families[TL_TILE_FAMILIES] = {
