@@ -47,9 +47,9 @@ static void try_cone(uint64_t seed, int family, uint64_t index, tl_tally *tally)
 }
 
 const tl_bound_group tl_bound_groups[TL_BOUND_GROUPS] = {
-    {"spheres", "not empty", TL_SPHERE_FAMILIES, sphere_name, try_sphere},
-    {"tiles", "reached", TL_TILE_FAMILIES, tile_name, try_tile},
-    {"cones", "lit", TL_CONE_FAMILIES, cone_name, try_cone},
+    {"spheres", "not empty", 1, TL_SPHERE_FAMILIES, sphere_name, try_sphere},
+    {"tiles", "reached", 5, TL_TILE_FAMILIES, tile_name, try_tile},
+    {"cones", "lit", 5, TL_CONE_FAMILIES, cone_name, try_cone},
 };
 
 typedef struct attempts {

@@ -7,6 +7,7 @@
 typedef struct tl_bound_group {
     const char *name;
     const char *hit; /* what tl_tally.hits counts */
+    unsigned one_of; /* it gets one of so many cases that spheres get */
     int family_count;
     const char *(*family_name)(int family);
     /* Tries one case; adds it to the tally. The same for the same seed, family and index. */

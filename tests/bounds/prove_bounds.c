@@ -17,18 +17,17 @@ enum { DONE = 0, BROKEN = 1, WRONG_USE = 2, NOT_WRITTEN = 5 };
 static const char usage[] =
     "Usage: prove_bounds [--count N] [--seed S] [--jobs J] [--json FILE]\n"
     "\n"
-    "Tries N random and adversarial cases each of bounds of spheres, of rectangles of tiles, "
-    "and of cones\n"
-    "of spots, against an oracle in 128-bit floats, and prints what each family of cases came "
-    "to.\n"
+    "Tries random and adversarial cases of bounds of spheres, of rectangles of tiles and of\n"
+    "cones of spots against an oracle in 128-bit floats, and prints what each family of cases\n"
+    "came to.\n"
     "\n"
-    "  --count N    cases of each of the three (1000000)\n"
-    "  --seed S     of the random numbers (1); the same seed and count give the same counts, "
-    "whatever J is\n"
+    "  --count N    spheres, and a fifth as many tiles and cones (1000000)\n"
+    "  --seed S     of the random numbers (1); the same seed and count give the same counts,\n"
+    "               whatever J is\n"
     "  --jobs J     threads, at most 256 (as many as there are processors)\n"
     "  --json FILE  writes the counts there, too\n"
     "\n"
-    "Ends with status 0 if no case breaks what is claimed, else 1; 2: wrong use; 5: FILE was "
+    "Ends with status 0 if no case breaks what is claimed, else 1; 2: wrong use; 5: FILE was\n"
     "not written.\n";
 
 typedef struct options {
@@ -97,13 +96,14 @@ static void print_family(const char *name, const tl_tally *t)
 /* How many violations there were. */
 static uint64_t try_group(const tl_bound_group *group, const options *o, FILE *json)
 {
+    const uint64_t cases = o->count / group->one_of;
+    const uint64_t families = (uint64_t)group->family_count;
     tl_tally all = {.cases = 0};
     printf("\n%-48s %11s %11s %6s %6s %6s %6s %10s\n", group->name, "cases", group->hit, "lost",
            "extra", "empty", "kept", "undecided");
     fprintf(json, "  {\"name\": \"%s\", \"families\": [\n", group->name);
     for (int i = 0; i < group->family_count; i++) {
-        const uint64_t families = (uint64_t)group->family_count;
-        const uint64_t count = o->count / families + ((uint64_t)i < o->count % families);
+        const uint64_t count = cases / families + ((uint64_t)i < cases % families);
         uint64_t first;
         const tl_tally t = tl_try_family(group, i, o->seed, count, &first);
         print_family(group->family_name(i), &t);
@@ -151,7 +151,7 @@ static uint64_t prove(const options *o, FILE *json)
     const tl_machine machine = tl_machine_ask();
     const double started = now();
     uint64_t violations = 0;
-    printf("%llu cases of each, seed %llu, %u threads\n", (unsigned long long)o->count,
+    printf("%llu spheres, seed %llu, %u threads\n", (unsigned long long)o->count,
            (unsigned long long)o->seed, machine.threads);
     fprintf(json,
             "{\"tilelight_bounds_proof\": 1,\n\"count\": %llu, \"seed\": %llu,\n\"processor\": "
@@ -166,9 +166,8 @@ static uint64_t prove(const options *o, FILE *json)
     fprintf(json, "],\n");
     violations += show_named(json);
     fprintf(json, ",\n\"seconds\": %.0f}\n", now() - started);
-    printf("\nseed %llu, %llu cases of each, %.0f s: %llu violations\n",
-           (unsigned long long)o->seed, (unsigned long long)o->count, now() - started,
-           (unsigned long long)violations);
+    printf("\nseed %llu, %llu spheres, %.0f s: %llu violations\n", (unsigned long long)o->seed,
+           (unsigned long long)o->count, now() - started, (unsigned long long)violations);
     return violations;
 }
 
