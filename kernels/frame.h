@@ -7,6 +7,7 @@
 #define TL_FRAME_H
 
 #include "dialect.h"
+#include "largest.h"
 #include "planes.h"
 
 /* Rays of the camera: pixel (column, row) is seen along (x0 + column dx, y0 + row dy, -1) times

@@ -6,6 +6,7 @@
 #include "finish.h"
 #include "light.h"
 #include "position.h"
+#include "ranges.h"
 #include "substance.h"
 
 /* (e + 2)/8, rounded once. */
@@ -41,6 +42,22 @@ TL_INLINE surface surface_of(
                       view_normal(frame, of.normal), shininess, of.specular.x);
 }
 
+/* Light received, of which this share is reflected: where none is, it is of no matter, though there be more
+ * than floats hold. That is infinite in every precision. */
+TL_INLINE real received_by(real share, real light)
+{
+#if TL_REAL_DOUBLE
+    light = pick(light <= TL_MOST_FLOAT, light, (real)INFINITY);
+#endif
+    return pick(share > R(0.0), light, R(0.0));
+}
+
+/* Of numbers that are not negative. */
+TL_INLINE real at_most_largest(real radiance)
+{
+    return pick(radiance < TL_MOST_FLOAT, radiance, TL_MOST_FLOAT);
+}
+
 /* Radiance of one channel. Ambient light multiplies the albedo plane, not the diffuse colour, so
  * that metals answer to it too. */
 TL_INLINE real channel_of(tl_needs needs,
@@ -53,26 +70,27 @@ TL_INLINE real channel_of(tl_needs needs,
                           real ambient_light,
                           real emissive)
 {
-    real radiance = diffuse * diffuse_light;
+    real radiance = diffuse * received_by(diffuse, diffuse_light);
     if (needs.specular && !needs.one_color)
-        radiance = FMA(specular, specular_light, radiance);
+        radiance = FMA(specular, received_by(specular, specular_light), radiance);
     if (needs.specular && some_lobe_has(needs, TL_LOBE_GRAZING))
-        radiance = FMA(f90 - specular, grazing_light, radiance);
+        radiance = FMA(f90 - specular, received_by(f90 - specular, grazing_light), radiance);
     if (needs.ambient)
         radiance = radiance + ambient_light;
     if (reads_planes(needs, TL_GROUP_EMISSIVE))
         radiance = radiance + emissive;
-    return radiance;
+    return at_most_largest(radiance);
 }
 
 /* lamps: of lights with ambient lobes. */
 TL_INLINE real
 ambient_of(tl_needs needs, real albedo, scalar ambient, real lamps, real occlusion)
 {
-    const real light =
-        needs.shapes & TL_SHAPE_AMBIENT ? albedo * (lamps + (real)ambient) : albedo * ambient;
+    const real light = needs.shapes & TL_SHAPE_AMBIENT
+                           ? albedo * received_by(albedo, lamps + (real)ambient)
+                           : albedo * ambient;
     if (reads_planes(needs, TL_GROUP_OCCLUSION))
-        return light * occlusion;
+        return occlusion * received_by(occlusion, light);
     return light;
 }
 

@@ -45,10 +45,14 @@ TL_INLINE real shaped_fade(tl_needs needs,
     return fade_of(needs, light, distance2, distance, per_distance);
 }
 
-TL_INLINE vec3 times3(vec3 a, vec3 b)
+/* A light's colour as a texture leaves it, cut as that of a light is (largest.h). */
+TL_INLINE vec3 tinted_by(vec3 color, vec3 tint)
 {
-    const vec3 product = {a.x * b.x, a.y * b.y, a.z * b.z};
-    return product;
+    const vec3 most = {(real)TL_BRIGHTEST, (real)TL_BRIGHTEST, (real)TL_BRIGHTEST};
+    const vec3 c = {color.x * tint.x, color.y * tint.y, color.z * tint.z};
+    const vec3 cut = {pick(c.x < most.x, c.x, most.x), pick(c.y < most.y, c.y, most.y),
+                      pick(c.z < most.z, c.z, most.z)};
+    return cut;
 }
 
 /* What the light shines through in direction -l, by a texture that is there. */
@@ -93,9 +97,9 @@ TL_INLINE received add_shaped_light(received sum,
     vec3 ambient = lanes_of(shape.ambient);
     if ((needs.shapes & (TL_SHAPE_PROJECTED | TL_SHAPE_AROUND)) && shape.map.pixels_at != 0) {
         const vec3 tint = tint_of(needs, numbers, shape, l);
-        colors.diffuse = times3(colors.diffuse, tint);
-        colors.specular = times3(colors.specular, tint);
-        ambient = times3(ambient, tint);
+        colors.diffuse = tinted_by(colors.diffuse, tint);
+        colors.specular = tinted_by(colors.specular, tint);
+        ambient = tinted_by(ambient, tint);
     }
     if (needs.shapes & TL_SHAPE_AMBIENT)
         sum.ambient = fma3(ambient, pick(from.lit, from.weight, R(0.0)), sum.ambient);

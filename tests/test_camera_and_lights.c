@@ -28,15 +28,22 @@ static void points_land_where_they_are_seen(void **state)
     {                                       \
         statement;                          \
     }
-#define CAMERA_CASES(X)                                        \
-    X(no_width, "0 x 48", c->width = 0)                        \
-    X(too_wide, "16385", c->width = 16385)                     \
-    X(empty, "empty", c->left = c->right)                      \
-    X(not_finite, "not finite", c->top = NAN)                  \
-    X(near_zero, "above 0", c->near = 0.0f)                    \
-    X(far_before_near, "near plane", c->far = 0.05f)           \
-    X(sheared, "no rotation", c->view_from_world[0][1] = 0.1f) \
-    X(nowhere, "matrix is not finite", c->view_from_world[1][3] = NAN)
+#define CAMERA_CASES(X)                                                                      \
+    X(no_width, "0 x 48", c->width = 0)                                                      \
+    X(too_wide, "16385", c->width = 16385)                                                   \
+    X(empty, "empty", c->left = c->right)                                                    \
+    X(not_finite, "has top at nan", c->top = NAN)                                            \
+    X(too_far_left, "has left at -2e+18: it must be from -1e+18 to 1e+18", c->left = -2e18f) \
+    X(near_zero, "above 0", c->near = 0.0f)                                                  \
+    X(far_before_near, "near plane", c->far = 0.05f)                                         \
+    X(sheared, "no rotation", c->view_from_world[0][1] = 0.1f)                               \
+    X(turned_nowhere, "row 2 of the camera's matrix is not finite",                          \
+      c->view_from_world[2][0] = NAN)                                                        \
+    X(near_nowhere, "near plane (nan m)", c->near = NAN)                                     \
+    X(far_nowhere, "far plane (nan m)", c->far = NAN)                                        \
+    X(too_far, "row 0 of the camera's matrix shifts by 2e+18 m: it must be from",            \
+      c->view_from_world[0][3] = 2e18f)                                                      \
+    X(nowhere, "row 1 of the camera's matrix shifts by nan m", c->view_from_world[1][3] = NAN)
 CAMERA_CASES(CAMERA_CASE)
 
 static void senseless_cameras_are_refused(void **state)

@@ -6,6 +6,8 @@
 #include "full_device.h"
 #include "tilelight/image.h"
 
+#include <float.h>
+
 static tl_image *make_image(uint32_t width, uint32_t height)
 {
     tl_error err;
@@ -54,6 +56,30 @@ static void pictures_come_back(void **state)
             tl_image_destroy(read);
             tl_image_destroy(image);
         }
+    remove(path);
+}
+
+/* Halves end at 65504: what is above is that, and nothing that is finite becomes infinite. */
+static void halves_hold_no_infinity(void **state)
+{
+    static const float values[] = {65503.0f, 65504.0f, 65519.0f, 65520.0f, 1e30f, FLT_MAX};
+    enum { COUNT = sizeof values / sizeof values[0] };
+    char path[512];
+    tl_image *image = make_image(COUNT, 1), *read = NULL;
+    int is_png = 1;
+    tl_error err;
+    (void)state;
+    scratch_path(path, sizeof path, "bright.exr");
+    for (unsigned c = 0; c < 3; c++)
+        memcpy(tl_image_plane(image, c), values, sizeof values);
+    assert_int_equal(tl_image_count_above(image, 65504.0f), 4);
+    ASSERT_OK(tl_image_write_exr(path, image, 1, &err), err);
+    ASSERT_OK(tl_image_read(path, &read, &is_png, &err), err);
+    for (unsigned c = 0; c < 3; c++)
+        for (size_t i = 0; i < COUNT; i++)
+            assert_true(same_bits(tl_image_plane(read, c)[i], 65504.0f));
+    tl_image_destroy(read);
+    tl_image_destroy(image);
     remove(path);
 }
 
@@ -111,6 +137,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pictures_come_back),
+        cmocka_unit_test(halves_hold_no_infinity),
         cmocka_unit_test(threads_change_nothing),
         cmocka_unit_test(failures_are_told),
     };

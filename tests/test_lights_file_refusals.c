@@ -116,7 +116,7 @@ static const struct {
          "\"sky\": { \"type\": \"gradient\", \"zenith\": [1, -1, 1], \"horizon\": [1, 1, 1], "
          "\"ground\": [0, 0, 0] }"),
      TL_ERR_FORMAT,
-     {"sky", "not negative"}},
+     {"sky: zenith[1] is -1, it must be from 0 to 1e+30"}},
     {FILE_WITH("\"sky\": { \"type\": \"latlong\" }"), TL_ERR_FORMAT, {"latlong", "\"image\""}},
 
     /* Missing, or where it does not belong. */
@@ -219,10 +219,10 @@ static const struct {
      TL_ERR_FORMAT,
      {"materials[0]:", "lambert takes no \"shininess\""}},
 
-    {FILE_WITH("\"ambient\": [-1, 0, 0]"), TL_ERR_FORMAT, {"ambient"}},
+    {FILE_WITH("\"ambient\": [-1, 0, 0]"), TL_ERR_FORMAT, {"ambient[0] is -1"}},
     {FILE_WITH("\"sky\": { \"type\": \"constant\", \"color\": [0, 0, 1e38] }"),
      TL_ERR_FORMAT,
-     {"sky"}},
+     {"sky: color[2] is 1e+38, it must be from 0 to 1e+30"}},
 };
 
 static void what_is_wrong_is_named(void **state)

@@ -4,6 +4,7 @@
 #include "console.h"
 #include "json_values.h"
 #include "pass_bytes.h"
+#include "ranges.h"
 #include "tilelight/layouts.h"
 #include "try.h"
 
@@ -174,6 +175,17 @@ static void tell_look(const job *j, const picture_options *options, tl_look look
         curve ? picture_curve_word(ours.curve) : "");
 }
 
+/* What a picture loses in halves. */
+static void tell_cut(const tl_image *image, const char *path)
+{
+    const uint64_t count = tl_image_count_above(image, TL_MOST_HALF);
+    if (count > 0)
+        tl_notice(&console_notices,
+                  "%s: %" PRIu64 " pixels are brighter than half floats can say, and have the "
+                  "largest, 65504; --exr float keeps them",
+                  path, count);
+}
+
 /* The 8-bit picture is made once, however many PNGs there are. */
 static tl_status make_rgb(
     job *j, const picture_options *options, tl_look look, uint8_t **rgb, tl_error *err)
@@ -205,6 +217,8 @@ tl_status job_write_pictures(job *j, const picture_options *options, tl_error *e
         if (options->kinds[i] != OUTPUT_EXR)
             TRY(make_rgb(j, options, look, &rgb, err));
         const double start = tl_seconds();
+        if (options->kinds[i] == OUTPUT_EXR && options->half)
+            tell_cut(j->image, path);
         if (options->kinds[i] == OUTPUT_EXR)
             TRY(tl_image_write_exr(path, j->image, options->half, err));
         else

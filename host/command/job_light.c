@@ -98,6 +98,7 @@ tl_status job_light(
         TRY(explain_take(j, lighting, &options, &counts, told, err));
     TRY(resolve(j, err));
     report_counts(j, &counts);
+    job_report(j, "cut_pixels", json_integer((json_int_t)counts.cut_count));
     if (counts.first_kernel_s > 0.0)
         j->first_kernel_ms = 1e3 * (counts.first_kernel_s - j->start_s);
     if (counts.shade_wall_ms > 0.0)

@@ -2,9 +2,22 @@
 
 #include "exr_reader.h"
 #include "exr_writer.h"
+#include "ranges.h"
 #include "try.h"
 
 static const char *const channel_names[3] = {"R", "G", "B"};
+
+/* A row in floats that halves hold. */
+static void cut_row(const void *context, uint32_t y, void *const rows[TL_EXR_MAX_COMPUTED])
+{
+    const tl_image *image = context;
+    for (unsigned c = 0; c < 3; c++) {
+        const float *from = tl_image_plane(image, c) + (size_t)y * image->pitch;
+        float *to = rows[c];
+        for (uint32_t x = 0; x < image->width; x++)
+            to[x] = from[x] > TL_MOST_HALF ? TL_MOST_HALF : from[x];
+    }
+}
 
 tl_status tl_image_write_exr(const char *path, const tl_image *image, int half, tl_error *err)
 {
@@ -15,12 +28,14 @@ tl_status tl_image_write_exr(const char *path, const tl_image *image, int half, 
                                     .height = image->height,
                                     .pitch = image->pitch,
                                     .channel_count = 3,
-                                    .channels = channels};
+                                    .channels = channels,
+                                    .compute = half ? cut_row : NULL,
+                                    .context = image};
     for (unsigned c = 0; c < 3; c++)
         channels[c] = (tl_exr_channel){.name = channel_names[c],
                                        .type = half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT,
                                        .held = EXR_PIXEL_FLOAT,
-                                       .plane = tl_image_plane(image, c)};
+                                       .plane = half ? NULL : tl_image_plane(image, c)};
     TRY(tl_exr_writer_begin(&writer, path, image->width, image->height,
                             half ? EXR_COMPRESSION_ZIP : EXR_COMPRESSION_NONE, err));
     TRY(tl_exr_writer_pixels(&writer, &picture, err));

@@ -1,6 +1,8 @@
 #define _XOPEN_SOURCE 700 /* realpath */
 #include "light_images.h"
 
+#include "largest.h"
+
 #include "srgb.h"
 #include "tilelight/image.h"
 #include "try.h"
@@ -9,8 +11,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static const float brightest = 1e30f;
 
 /* Of a path up to its last slash, or NULL: the working directory. */
 static char *folder_of(const char *file)
@@ -77,13 +77,13 @@ static tl_status linear_pixels(const tl_place *at,
     for (size_t i = 0; i < 3 * count; i++) {
         const size_t x = i / 3 % width, y = i / 3 / width;
         const float v = tl_image_plane(image, (unsigned)(i % 3))[y * image->pitch + x];
-        if (!(v >= 0.0f && v <= brightest)) {
+        if (!(v >= 0.0f && v <= TL_BRIGHTEST)) {
             free(made);
             return tl_fail(
                 err, TL_ERR_FORMAT,
                 "%s:%s \"%s\": %s: pixel (%zu, %zu) has the value %g; light is from 0 "
                 "to %g",
-                at->source, at->inside, field, path, x, y, (double)v, (double)brightest);
+                at->source, at->inside, field, path, x, y, (double)v, (double)TL_BRIGHTEST);
         }
         made[i] = is_png ? (float)tl_linear_from_srgb((double)v) : v;
     }

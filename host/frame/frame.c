@@ -2,8 +2,10 @@
 
 #include "brdf_table.h"
 #include "falloff.h"
+#include "largest.h"
 #include "layout.h"
 #include "map.h"
+#include "ranges.h"
 #include "scene_causes.h"
 #include "sections.h"
 #include "shapes.h"
@@ -13,6 +15,7 @@
 #include "view.h"
 
 #include <float.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -127,6 +130,18 @@ static int has_two_colors(const tl_view_light *light)
     return memcmp(light->diffuse, light->specular, sizeof light->diffuse) != 0;
 }
 
+/* The largest number among its colours. */
+static double brightness_of(const tl_light_set *set,
+                            const tl_light *light,
+                            const tl_view_light *v)
+{
+    float ambient[3], most = 0.0f;
+    tl_lobe_color(set, light, light->ambient, ambient);
+    for (int i = 0; i < 3; i++)
+        most = fmaxf(most, fmaxf(ambient[i], fmaxf(v->diffuse[i], v->specular[i])));
+    return (double)most;
+}
+
 /* Light `source` of the set, unless it adds nothing. */
 static void add(const tl_camera *camera,
                 const tl_light_set *set,
@@ -153,6 +168,7 @@ static void add(const tl_camera *camera,
     prepared->light_causes[i] = explanation->causes;
     explanation->causes |= before;
     prepared->lights[i] = v;
+    prepared->brightness += brightness_of(set, light, &v);
     prepared->spots[i] = spot;
 }
 
@@ -288,6 +304,8 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
     prepared->rows = NULL;
     prepared->explanation = tl_causes_of_frame(gbuffer, lights, &table, options->effects);
     prepared->two_colored_count = 0;
+    prepared->brightest_texel = 1.0f;
+    prepared->brightness = 0.0;
     prepared->sections_size = 0;
     prepared->spots = (tl_view_spot *)(prepared->lights + lights->count);
     collect(&gbuffer->camera, lights, options, 1, prepared);
@@ -295,6 +313,9 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
     close_up(prepared);
     TRY(tl_shapes_add(&gbuffer->camera, lights, prepared, err));
     TRY(tl_sky_add(&gbuffer->camera, lights, prepared, err));
+    prepared->may_be_cut =
+        prepared->brightness * (double)prepared->brightest_texel * TL_MOST_OF_LIGHT >
+        0.5 * (double)TL_MOST_FLOAT;
     prepared->needs = tl_needs_of_surfaces(gbuffer, &table);
     tl_needs_by_causes(&prepared->explanation, &prepared->needs);
     if (has_one_color(prepared)) {

@@ -1,5 +1,6 @@
 #include "map.h"
 
+#include "largest.h"
 #include "sections.h"
 
 #include <stdlib.h>
@@ -31,7 +32,9 @@ static tl_status add_pixels(
     for (size_t i = 0; i < count; i++)
         for (size_t c = 0; c < 3; c++) {
             const double v = (double)image->pixels[3 * i + c] * scale;
-            to[4 * i + c] = v < 1e30 ? (float)v : 1e30f;
+            to[4 * i + c] = v < (double)TL_BRIGHTEST ? (float)v : TL_BRIGHTEST;
+            if (to[4 * i + c] > prepared->brightest_texel)
+                prepared->brightest_texel = to[4 * i + c];
         }
     return TL_OK;
 }

@@ -25,6 +25,11 @@ typedef struct tl_prepared {
     /* [images of the set], row of each that is in a section, else 0; owned */
     tl_u32 *images_at;
     size_t image_capacity;
+    double brightness;     /* of all lights: the sum of the largest numbers of their colours */
+    float brightest_texel; /* of pictures that are shown, and 1 at least */
+    /* 0: whatever lobes make of it, light does not add up beyond the largest float (largest.h); else pixels
+     * may have been cut */
+    int may_be_cut;
     uint32_t two_colored_count; /* lights that add something, with lobes of different colours */
     /* of frame.brdfs_at, by the index of a pixel; NULL where the frame has none */
     const tl_brdf *rows;

@@ -1,6 +1,7 @@
 #include "shapes.h"
 
 #include "falloff.h"
+#include "largest.h"
 #include "map.h"
 #include "sections.h"
 #include "try.h"
@@ -8,16 +9,13 @@
 #include <math.h>
 #include <string.h>
 
-/* Products of colour, intensity and lobe are cut here, so that sums of many stay finite. */
-static const double brightest = 1e30;
-
 void tl_lobe_color(const tl_light_set *set, const tl_light *light, float lobe, float out[3])
 {
     static const double per_pi = 0.31830988618379067154;
     const double scale = traits_of(set->model) & TL_LOBE_RADIOMETRIC ? per_pi : 1.0;
     for (int i = 0; i < 3; i++) {
         const double c = (double)light->color[i] * (double)light->intensity * (double)lobe;
-        out[i] = (float)((c < brightest ? c : brightest) * scale);
+        out[i] = (float)((c < (double)TL_BRIGHTEST ? c : (double)TL_BRIGHTEST) * scale);
     }
 }
 

@@ -21,6 +21,7 @@ static const char *const attributes[TL_PLANE_COUNT] = {
 typedef struct scan {
     float *planes[TL_PLANE_COUNT];
     const tl_gbuffer *gbuffer;
+    float deepest; /* m */
     tl_faults *faults;
 } scan;
 
@@ -51,12 +52,22 @@ static int is_sky(float depth)
     return depth == INFINITY;
 }
 
-/* Orthographic cameras may have surfaces behind the eye point. */
-static int has_no_depth(const tl_gbuffer *gbuffer, float depth)
+/* Coordinates of what a perspective camera sees grow with depth: up to here none is beyond TL_FARTHEST. */
+static float deepest_of(const tl_camera *camera)
 {
-    if (isnan(depth) || fabsf(depth) > TL_DEEPEST)
+    const float across = fmaxf(fabsf(camera->left), fabsf(camera->right));
+    const float edge = fmaxf(across, fmaxf(fabsf(camera->bottom), fabsf(camera->top)));
+    if (camera->projection == TL_ORTHOGRAPHIC || edge <= 1.0f)
+        return TL_FARTHEST;
+    return TL_FARTHEST / edge;
+}
+
+/* Orthographic cameras may have surfaces behind the eye point. */
+static int has_no_depth(const scan *s, float depth)
+{
+    if (isnan(depth) || fabsf(depth) > s->deepest)
         return 1;
-    return gbuffer->camera.projection == TL_PERSPECTIVE && !(depth > 0.0f);
+    return s->gbuffer->camera.projection == TL_PERSPECTIVE && !(depth > 0.0f);
 }
 
 static int has_no_normal(float nx, float ny, float nz)
@@ -121,7 +132,7 @@ static void repair_rows(void *context, size_t begin, size_t end)
                 clear_pixel(s, at);
                 continue;
             }
-            if (has_no_depth(s->gbuffer, depth)) {
+            if (has_no_depth(s, depth)) {
                 tl_faults_note(s->faults, row, column, TL_DEPTH);
                 counts.depth++;
                 clear_pixel(s, at);
@@ -144,7 +155,7 @@ static void repair_rows(void *context, size_t begin, size_t end)
 
 static void repair_float(tl_gbuffer *gbuffer, tl_faults *faults)
 {
-    scan s = {.gbuffer = gbuffer, .faults = faults};
+    scan s = {.gbuffer = gbuffer, .deepest = deepest_of(&gbuffer->camera), .faults = faults};
     for (enum tl_plane p = 0; p < TL_PLANE_COUNT; p++)
         s.planes[p] = tl_gbuffer_plane(gbuffer, p);
     tl_parallel(gbuffer->camera.height, 16, repair_rows, &s);

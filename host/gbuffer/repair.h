@@ -3,13 +3,12 @@
 #ifndef TL_REPAIR_H
 #define TL_REPAIR_H
 
+#include "largest.h"
+
 #include "tilelight/gbuffer.h"
 
 #include <math.h>
 #include <stdatomic.h>
-
-/* A depth or a coordinate beyond it would overflow d2; nothing there can be told from the sky. */
-#define TL_DEEPEST 1e18f
 
 /* Squares of lengths within this range neither overflow nor vanish in float. */
 #define TL_SHORTEST_NORMAL 1e-18f
@@ -21,7 +20,7 @@ static inline float tl_largest_value(int plane)
     return plane == TL_SHININESS    ? 10000.0f
            : plane >= TL_TANGENT_X  ? TL_LONGEST_NORMAL
            : plane == TL_BRDF       ? (float)TL_MAX_MATERIALS
-           : plane >= TL_EMISSIVE_R ? 1e30f
+           : plane >= TL_EMISSIVE_R ? TL_BRIGHTEST
                                     : 1.0f;
 }
 

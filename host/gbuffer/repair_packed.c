@@ -188,12 +188,9 @@ static int is_stored_sky(const tl_layout *layout, const tl_words *words)
     return stored == (c.number == TL_NUMBER_HALF ? 0x1p16 : (real)INFINITY);
 }
 
-static int is_within(const tl_packing *p, const tl_layout *layout, vec3 at)
+static int is_within(const tl_packing *p, vec3 at)
 {
-    const int is_position = TL_IS_POSITION(layout->depth.code);
-    if (!(fabs(at.z) <= TL_DEEPEST))
-        return 0;
-    if (is_position && !(fabs(at.x) <= TL_DEEPEST && fabs(at.y) <= TL_DEEPEST))
+    if (!(fabs(at.x) <= TL_FARTHEST && fabs(at.y) <= TL_FARTHEST && fabs(at.z) <= TL_FARTHEST))
         return 0;
     return p->needs.orthographic || -at.z >= 0x1p-149;
 }
@@ -207,7 +204,7 @@ static int has_position(const tl_packing *p,
     for (int k = 0; k < 3 && TL_IS_POSITION(a->code); k++)
         if (!is_number(a->channels[k], channel_value(a->channels[k], words)))
             return 0;
-    return is_within(p, layout, at.of[0]) && is_within(p, layout, at.of[1]);
+    return is_within(p, at.of[0]) && is_within(p, at.of[1]);
 }
 
 static int has_normal(const tl_layout *layout, const tl_words *words)

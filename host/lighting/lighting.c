@@ -1,9 +1,12 @@
 #include "lighting_state.h"
 
+#include "ranges.h"
 #include "reference.h"
 #include "tilelight/layouts.h"
 #include "try.h"
 
+#include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -324,6 +327,22 @@ done:
     return status;
 }
 
+/* Pixels are looked through only where light may add up that far: as a rule none is. */
+static uint64_t count_cut(const tl_prepared *prepared,
+                          const tl_image *image,
+                          const tl_notices *notices)
+{
+    if (!prepared->may_be_cut)
+        return 0;
+    const uint64_t count = tl_image_count_above(image, nextafterf(TL_MOST_FLOAT, 0.0f));
+    if (count > 0)
+        tl_notice(notices,
+                  "%" PRIu64 " pixels are brighter than a float can say, and have the largest, "
+                  "%.3g: lower the intensity of lights, or move them away",
+                  count, (double)TL_MOST_FLOAT);
+    return count;
+}
+
 tl_status tl_lighting_run(tl_lighting *lighting,
                           const tl_gbuffer *gbuffer,
                           const tl_light_set *lights,
@@ -365,6 +384,7 @@ tl_status tl_lighting_run(tl_lighting *lighting,
     }
     frame_counts.pair_count =
         frame_counts.list_length * options->tile_size * options->tile_size;
+    frame_counts.cut_count = count_cut(&lighting->prepared, image, notices);
     lighting->counts = frame_counts;
     if (counts)
         *counts = frame_counts;

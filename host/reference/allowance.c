@@ -24,6 +24,7 @@
 #include "allowance.h"
 
 #include "allowance_map.h"
+#include "ranges.h"
 #include "rough_lobes.h"
 #include "sections.h"
 
@@ -272,8 +273,9 @@ typedef struct rough_light {
 static interval product(tl_u32 traits, interval a, interval b, double colour)
 {
     const double roundings = traits & TL_LOBE_PLAIN && !(traits & TL_LOBE_DIFFUSE) ? 3.0 : 5.0;
-    return (interval){a.low * b.low * colour * (1.0 - roundings * U),
-                      a.high * b.high * colour * (1.0 + roundings * U) + flushed * colour};
+    return (interval){
+        clamp_low(a.low * b.low * colour * (1.0 - roundings * U) - flushed * colour),
+        a.high * b.high * colour * (1.0 + roundings * U) + flushed * colour};
 }
 
 /* What a light has beside the rest, whose falloff becomes *light's; NULL where it has nothing. */
@@ -300,9 +302,10 @@ static void tint_on(const tl_prepared *prepared,
         tl_map_allowance(prepared, &shape->map, (int)shape->is_spot, from, w->l_moved, tint);
 }
 
-/* One more product. */
-static interval tinted(interval light, interval tint)
+/* One more product, whose colour is cut. */
+static interval tinted(interval light, double colour, interval whole_tint)
 {
+    const interval tint = at_most(whole_tint, (double)TL_BRIGHTEST / colour);
     return (interval){light.low * tint.low * (1.0 - U),
                       light.high * tint.high * (1.0 + U) + flushed};
 }
@@ -332,7 +335,7 @@ static void add_ambient(const tl_view_shape *shape,
         const double colour = (double)shape->ambient[i];
         const interval light = {weight.low * colour * (1.0 - 2.0 * U),
                                 weight.high * colour * (1.0 + 2.0 * U)};
-        out->ambient[i] = tinted(light, tint[i]);
+        out->ambient[i] = tinted(light, colour, tint[i]);
         if (!(colour > 0.0))
             out->ambient[i] = (interval){0.0, 0.0};
         out->may_add |= out->ambient[i].high > 0.0;
@@ -358,9 +361,12 @@ static void add_lobes(const tl_prepared *prepared,
     out->is_certain &= n_dot_l->is_above;
     for (int i = 0; i < 3; i++) {
         const double diffuse = (double)light.diffuse[i], specular = (double)light.specular[i];
-        out->diffuse[i] = tinted(product(s->traits, weight, r.diffuse, diffuse), tint[i]);
-        out->specular[i] = tinted(product(s->traits, weight, r.specular, specular), tint[i]);
-        out->grazing[i] = tinted(product(s->traits, weight, r.grazing, specular), tint[i]);
+        out->diffuse[i] =
+            tinted(product(s->traits, weight, r.diffuse, diffuse), diffuse, tint[i]);
+        out->specular[i] =
+            tinted(product(s->traits, weight, r.specular, specular), specular, tint[i]);
+        out->grazing[i] =
+            tinted(product(s->traits, weight, r.grazing, specular), specular, tint[i]);
         if (!out->is_certain)
             out->diffuse[i].low = out->specular[i].low = out->grazing[i].low = 0.0;
     }
@@ -412,10 +418,8 @@ static interval lobe_factors(tl_u32 traits, interval e, interval specular, inter
         out.low *= (e.low + 2.0) / 8.0 * (1.0 - 3.0 * U);
         out.high *= (e.high + 2.0) / 8.0 * (1.0 + 3.0 * U);
     }
-    if (traits & TL_LOBE_DIFFUSE) {
-        out.low *= diffuse.low * (1.0 - U);
-        out.high *= diffuse.high * (1.0 + U);
-    }
+    if (traits & TL_LOBE_DIFFUSE)
+        out = times(out, diffuse);
     return out;
 }
 
@@ -432,12 +436,14 @@ static rough_material rough_material_of(const tl_prepared *prepared, pixel in)
     const interval f90 = tl_rough_f90(&m);
     rough_material out = {.exponent = m.shininess};
     for (int i = 0; i < 3; i++) {
-        out.diffuse[i] = around(diffuse[i], diffuse_is_mixed ? 2.0 * U * diffuse[i] : 0.0);
+        out.diffuse[i] =
+            around(diffuse[i], diffuse_is_mixed ? 2.0 * U * diffuse[i] + flushed : 0.0);
         /* 1 - F0, which is off as F0 is, and by u. */
         if (traits & TL_LOBE_BELOW)
             out.diffuse[i] = times(out.diffuse[i], around(m.below, 6.0 * U));
-        const double f0_off =
-            specular_is_mixed ? 4.0 * U * (TL_DIELECTRIC + base[i] * in.metallic) : 0.0;
+        const double f0_off = specular_is_mixed
+                                  ? 4.0 * U * (TL_DIELECTRIC + base[i] * in.metallic) + flushed
+                                  : 0.0;
         if (traits & TL_LOBE_GRAZING)
             out.grazing[i] = (interval){clamp_low(f90.low - specular[i] - f0_off - U),
                                         clamp_low(f90.high - specular[i] + f0_off + U)};
@@ -454,6 +460,16 @@ static interval summed(interval sum, uint32_t terms)
 {
     const double error = (double)(terms + 6) * U * sum.high + flushed;
     return (interval){clamp_low(sum.low - error), sum.high + error};
+}
+
+/* Beyond the largest float a value is that, and where the light that is received may be beyond it, what is
+ * reflected of it may. */
+static interval cut(interval value, double most_received)
+{
+    const double most = (double)TL_MOST_FLOAT;
+    if (most_received > most && value.high > 0.0)
+        value.high = most;
+    return at_most(value, most);
 }
 
 /* One colour, or by the ray, which moves as the pixel's position in it does. */
@@ -537,6 +553,7 @@ tl_allowance tl_allowance_of(const tl_prepared *prepared,
     const rough_material material = rough_material_of(&own, in);
     const rough_surface s = rough_surface_of(&own, in, material.exponent, column, row);
     interval sum[3] = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}};
+    double arriving[3] = {0.0, 0.0, 0.0};
     uint32_t terms = 0;
     int certain = 1;
     for (uint32_t index = 0; index < frame->light_count; index++) {
@@ -549,12 +566,15 @@ tl_allowance tl_allowance_of(const tl_prepared *prepared,
             const interval added = reflected(in, &material, &light, i);
             sum[i].low += added.low;
             sum[i].high += added.high;
+            arriving[i] += light.diffuse[i].high + light.specular[i].high +
+                           light.grazing[i].high + light.ambient[i].high;
         }
     }
     add_unlit(frame, in, sum);
     tl_allowance out = {.expected = {expected.x, expected.y, expected.z}, .certain = certain};
     for (int i = 0; i < 3; i++) {
-        const interval whole = summed(sum[i], terms);
+        const interval light = summed((interval){0.0, arriving[i]}, terms);
+        const interval whole = cut(summed(sum[i], terms), light.high);
         out.low[i] = whole.low;
         out.high[i] = whole.high;
     }

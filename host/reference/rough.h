@@ -21,7 +21,8 @@ static inline double clamp_low(double x)
 /* Of numbers that are not negative: what `roundings` steps may make of them. */
 static inline interval rounded(interval a, double roundings)
 {
-    return (interval){a.low * (1.0 - roundings * U), a.high * (1.0 + roundings * U) + flushed};
+    return (interval){clamp_low(a.low * (1.0 - roundings * U) - flushed),
+                      a.high * (1.0 + roundings * U) + flushed};
 }
 
 static inline interval times(interval a, interval b)

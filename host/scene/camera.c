@@ -1,5 +1,7 @@
 #include "tilelight/camera.h"
 
+#include "largest.h"
+
 #include <math.h>
 
 /* Rows may be off orthonormal by what rounding a rotation to float leaves, and by what other
@@ -19,10 +21,14 @@ static void row_of(const tl_camera *camera, int row, double out[3])
 
 static tl_status check_frustum(const tl_camera *camera, tl_error *err)
 {
+    static const char *const names[] = {"left", "right", "bottom", "top"};
     const float edges[] = {camera->left, camera->right, camera->bottom, camera->top};
     for (int i = 0; i < 4; i++)
-        if (!isfinite(edges[i]))
-            return tl_fail(err, TL_ERR_ARGUMENT, "the camera's frustum is not finite");
+        if (!(fabsf(edges[i]) <= TL_FARTHEST))
+            return tl_fail(err, TL_ERR_ARGUMENT,
+                           "the camera's frustum has %s at %g: it must be from %g to %g",
+                           names[i], (double)edges[i], -(double)TL_FARTHEST,
+                           (double)TL_FARTHEST);
     if (!(camera->left < camera->right) || !(camera->bottom < camera->top))
         return tl_fail(err, TL_ERR_ARGUMENT,
                        "the camera's frustum is empty: left %g, right %g, bottom %g, top %g",
@@ -43,9 +49,16 @@ static tl_status check_placement(const tl_camera *camera, tl_error *err)
 {
     double rows[3][3];
     for (int i = 0; i < 3; i++) {
+        const float shift = camera->view_from_world[i][3];
         row_of(camera, i, rows[i]);
-        if (!isfinite(dot(rows[i], rows[i])) || !isfinite(camera->view_from_world[i][3]))
-            return tl_fail(err, TL_ERR_ARGUMENT, "the camera's matrix is not finite");
+        if (!isfinite(dot(rows[i], rows[i])))
+            return tl_fail(err, TL_ERR_ARGUMENT, "row %d of the camera's matrix is not finite",
+                           i);
+        if (!(fabsf(shift) <= TL_FARTHEST))
+            return tl_fail(
+                err, TL_ERR_ARGUMENT,
+                "row %d of the camera's matrix shifts by %g m: it must be from %g to %g", i,
+                (double)shift, -(double)TL_FARTHEST, (double)TL_FARTHEST);
     }
     for (int i = 0; i < 3; i++)
         for (int j = i; j < 3; j++)

@@ -1,5 +1,7 @@
 #include "light_resources.h"
 
+#include "largest.h"
+
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -7,8 +9,7 @@
 #include <string.h>
 
 static const float quarter_turn = 1.57079637f; /* as files have pi/2 */
-static const float brightest = 1e30f;
-static const float most_rotation = 1e6f; /* rad; beyond, a float's steps are coarse */
+static const float most_rotation = 1e6f;       /* rad; beyond, a float's steps are coarse */
 
 tl_status tl_light_refuse(const tl_light *light,
                           size_t index,
@@ -208,9 +209,9 @@ tl_status tl_light_sky_check(const tl_light_set *set, const char *source, tl_err
     if (set->sky_image == 0 || set->sky_image > set->image_count)
         return tl_fail(err, TL_ERR_FORMAT, "%s: sky: there is no image %u", source,
                        set->sky_image);
-    if (!(set->sky_intensity >= 0.0f && set->sky_intensity <= brightest))
+    if (!(set->sky_intensity >= 0.0f && set->sky_intensity <= TL_BRIGHTEST))
         return tl_fail(err, TL_ERR_FORMAT, "%s: sky: intensity is %g, it must be from 0 to %g",
-                       source, (double)set->sky_intensity, (double)brightest);
+                       source, (double)set->sky_intensity, (double)TL_BRIGHTEST);
     if (!(fabsf(set->sky_rotation) <= most_rotation))
         return tl_fail(err, TL_ERR_FORMAT, "%s: sky: rotation is %g, it must be from %g to %g",
                        source, (double)set->sky_rotation, -(double)most_rotation,

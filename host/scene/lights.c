@@ -1,5 +1,6 @@
 #include "tilelight/lights.h"
 
+#include "largest.h"
 #include "light_resources.h"
 #include "light_words.h"
 #include "material_rows.h"
@@ -62,9 +63,6 @@ static tl_status check_rule(
                            r->field, (double)r->value, (double)r->least, (double)r->most);
 }
 
-/* Farther away, squares of distances overflow. */
-static const float farthest = 1e18f, brightest = 1e30f;
-
 static tl_status check_numbers(const tl_light *light,
                                size_t index,
                                const char *source,
@@ -73,7 +71,7 @@ static tl_status check_numbers(const tl_light *light,
     const int placed = light->type != TL_LIGHT_DIRECTIONAL;
     const int aimed = light->type != TL_LIGHT_POINT;
     const float *p = light->position, *d = light->direction, *c = light->color;
-    const float reach = placed ? farthest : INFINITY;
+    const float reach = placed ? TL_FARTHEST : INFINITY;
     const float turn = aimed ? 1.0001f : INFINITY;
     const rule rules[] = {
         {"position[0]", p[0], -reach, reach},
@@ -82,13 +80,13 @@ static tl_status check_numbers(const tl_light *light,
         {"direction[0]", d[0], -turn, turn},
         {"direction[1]", d[1], -turn, turn},
         {"direction[2]", d[2], -turn, turn},
-        {"color[0]", c[0], 0.0f, brightest},
-        {"color[1]", c[1], 0.0f, brightest},
-        {"color[2]", c[2], 0.0f, brightest},
-        {"intensity", light->intensity, 0.0f, brightest},
-        {"diffuse", light->diffuse, 0.0f, brightest},
-        {"specular", light->specular, 0.0f, brightest},
-        {"ambient", light->ambient, 0.0f, brightest},
+        {"color[0]", c[0], 0.0f, TL_BRIGHTEST},
+        {"color[1]", c[1], 0.0f, TL_BRIGHTEST},
+        {"color[2]", c[2], 0.0f, TL_BRIGHTEST},
+        {"intensity", light->intensity, 0.0f, TL_BRIGHTEST},
+        {"diffuse", light->diffuse, 0.0f, TL_BRIGHTEST},
+        {"specular", light->specular, 0.0f, TL_BRIGHTEST},
+        {"ambient", light->ambient, 0.0f, TL_BRIGHTEST},
         {"innerConeAngle", light->inner_cone, 0.0f, light->outer_cone},
         {"outerConeAngle", light->outer_cone, 0.0f, pi},
     };
@@ -143,13 +141,21 @@ static tl_status check_direction(const tl_light *light,
 
 tl_status tl_light_set_check(const tl_light_set *set, const char *source, tl_error *err)
 {
-    const float *const colors[] = {set->ambient, set->sky, set->zenith, set->ground};
+    const struct {
+        const char *name;
+        const float *values;
+    } colors[] = {
+        {"ambient", set->ambient},
+        {set->sky_type == TL_SKY_GRADIENT ? "sky: horizon" : "sky: color", set->sky},
+        {"sky: zenith", set->zenith},
+        {"sky: ground", set->ground},
+    };
     for (size_t c = 0; c < sizeof colors / sizeof colors[0]; c++)
         for (int i = 0; i < 3; i++)
-            if (!(colors[c][i] >= 0.0f && colors[c][i] <= brightest))
-                return tl_fail(err, TL_ERR_FORMAT,
-                               "%s: ambient and sky colours must be finite and not negative",
-                               source);
+            if (!(colors[c].values[i] >= 0.0f && colors[c].values[i] <= TL_BRIGHTEST))
+                return tl_fail(err, TL_ERR_FORMAT, "%s: %s[%d] is %g, it must be from 0 to %g",
+                               source, colors[c].name, i, (double)colors[c].values[i],
+                               (double)TL_BRIGHTEST);
     const tl_status sky = tl_light_sky_check(set, source, err);
     if (sky != TL_OK)
         return sky;

@@ -28,6 +28,9 @@ void tl_image_destroy(tl_image *image);
 /* Plane 0, 1 or 2: [rows][pitch], owned by the image. */
 float *tl_image_plane(const tl_image *image, unsigned channel);
 
+/* How many pixels have a channel above `most`; NaN is not. On all threads. Cannot fail. */
+uint64_t tl_image_count_above(const tl_image *image, float most);
+
 /* A picture of samples to one of pixels: each is the mean of its side x side samples, radiance
  * as it is, before exposure and tone. Summed in double from the top left, row by row, and
  * rounded once: equal samples keep their value, and the bits do not depend on the number of
@@ -84,9 +87,9 @@ float tl_image_auto_exposure(const tl_image *image);
 void tl_image_to_rgb8(const tl_image *image, float exposure, tl_look look, uint8_t *rgb);
 
 /* Atomic writers, as tl_gbuffer_write. OpenEXR: channels R, G, B, linear; half is zip-compressed
- * at a low level, float is not compressed: zip takes some 80 times the processor time for 43 %
- * fewer bytes. A PNG says by which curve its codes are. Fail with TL_ERR_WRITE or TL_ERR_MEMORY. "-"
- * writes a PNG to standard output. */
+ * at a low level, and what is above 65504, the largest half, is that; float is not compressed: zip
+ * takes some 80 times the processor time for 43 % fewer bytes. A PNG says by which curve its codes are.
+ * Fail with TL_ERR_WRITE or TL_ERR_MEMORY. "-" writes a PNG to standard output. */
 tl_status tl_image_write_exr(const char *path, const tl_image *image, int half, tl_error *err);
 tl_status tl_png_write(const char *path,
                        const uint8_t *rgb,

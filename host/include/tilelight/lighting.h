@@ -134,7 +134,9 @@ tl_lighting_options tl_lighting_options_default(void);
 /* What a frame came to. */
 typedef struct tl_lighting_counts {
     uint32_t tile_count, global_light_count, ranged_light_count;
-    uint64_t list_length;  /* (tile, light) pairs of all lists; global lights are not listed */
+    uint64_t list_length; /* (tile, light) pairs of all lists; global lights are not listed */
+    /* pixels in which light added up beyond the largest float: they have that */
+    uint64_t cut_count;
     uint64_t pair_count;   /* (pixel, light) pairs that the lists stand for, padding included */
     uint32_t band_count;   /* the frame was lit in this many parts, to fit memory_limit */
     uint64_t device_bytes; /* of the device's own buffers, at their largest */
