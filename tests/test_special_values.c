@@ -428,6 +428,7 @@ static void what_is_beyond_floats_is_cut_and_counted(void **state)
     (void)state;
     set_pixel(g, TL_ALBEDO_G, green, 0.0f);
     set_pixel(g, TL_SPECULAR_G, green, 0.0f);
+    set_pixel(g, TL_SPECULAR_R, green, 0.5f);
     for (int count = 20; count <= 40; count += 20) {
         tl_light_set lights = {.model = TL_MODEL_WARD};
         add_bright_lights(&lights, count, 0.0f);
