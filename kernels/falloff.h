@@ -58,7 +58,7 @@ TL_INLINE real fade_by_table(real distance, scalar fade, tl_numbers table, tl_u3
 
 #define TL_MOST_PER_DISTANCE2 R(1e4) /* 1/m^2: of the nearest distance, 1 cm */
 
-/* fade: 1/range. Error at most 2u (two roundings of values up to 1). */
+/* fade: 1/range. Error at most u: fade's of d/range, and the sum's of what that leaves of 1. */
 TL_INLINE real fade_linear(real distance, scalar fade)
 {
     const real weight = FMA(-distance, fade, R(1.0));

@@ -22,8 +22,8 @@ TL_INLINE vec3 ray_direction(tl_rays rays, tl_needs needs, real column, real row
     return ray;
 }
 
-/* s: 3u for the sum, 12u for root and quotient, u for up; the colour, u more for the difference and for the
- * sum each. */
+/* s is off by 3u for its sum, 4.5u for squares, root, quotient and product, u for up, which is rounded; the
+ * colour by as much of the largest, and 3u for the mixture. Asserted by tests/test_map_accuracy.c. */
 TL_INLINE vec3 sky_gradient(const float horizon[3], tl_view_sky sky, vec3 ray)
 {
     const real s = dot3(ray, lanes_of(sky.map.up)) * (R(1.0) / SQRT(dot3(ray, ray)));

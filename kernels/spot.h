@@ -64,10 +64,10 @@ TL_INLINE mask in_cone(tl_view_spot spot, vec3 l, real distance2)
     return signed_square(along_axis(spot, l)) > spot.least_cos2 * distance2;
 }
 
-/* What the cone lets through, 0 to 1, in it. per_distance: 1/|l|. The cosine is off by 3u for its sum, 3u
- * for root, quotient and product, u for the axis, which is rounded; what it is compared with by u; so
- * before it is squared the share is off by 8u scale + 3u at most (u = 2^-24, scale at most 1000).
- * Asserted by tests/test_lighting_formulas.c. */
+/* What the cone lets through, 0 to 1, in it. per_distance: 1/|l|. The cosine is off by 3u for its sum, 4.5u
+ * for squares, root, quotient and product, u for the axis, which is rounded; what it is compared with by u;
+ * so before it is squared the share is off by 9.5u scale + 3u at most (u = 2^-24, scale at most 1000).
+ * Asserted by tests/test_falloff_accuracy.c. */
 TL_INLINE real cone_share(tl_view_spot spot, vec3 l, real per_distance)
 {
     const real above =

@@ -123,7 +123,10 @@ TL_INLINE vec3 lanes_of(const float v[3])
     return lanes;
 }
 
-/* What is projected in direction d, of any length, or against it: the same. */
+/* What is projected in direction d, of any length, or against it: the same. Its place: each sum is off by
+ * 4u |d| times the length of its direction, 3u its own and u the direction's rounding; the quotient of the
+ * two by 2u of itself beside, the sum with the middle by u of both. Then 3u of the largest sample a mixture.
+ * Asserted by tests/test_map_accuracy.c, as is what is around. */
 TL_INLINE vec3 map_projected(tl_numbers numbers, tl_view_map map, vec3 d)
 {
     const scalar width = (scalar)map.width, height = (scalar)map.height;
@@ -133,7 +136,9 @@ TL_INLINE vec3 map_projected(tl_numbers numbers, tl_view_map map, vec3 d)
     return texel_mix(numbers, map, pair_clamped(x, width), pair_clamped(y, height));
 }
 
-/* What is around in direction d, of any length. */
+/* What is around in direction d, of any length. Its place: sums off as above turn longitude by sqrt(2) 4u |d|
+ * over the level's length, colatitude by sqrt(3) 4u and 2.5u for the level; longitude_of adds 2u of the width or
+ * 4u of the height, product and sum u each. */
 TL_INLINE vec3 map_around(tl_numbers numbers, tl_view_map map, vec3 d)
 {
     const scalar width = (scalar)map.width, height = (scalar)map.height;

@@ -17,10 +17,10 @@ typedef struct figure {
     const char *formula;  /* what is computed */
     const char *file;     /* where the formula stands, and its bound with the derivation */
     const char *quantity; /* what the error is of */
-    const char
-        *arithmetic; /* that computes it: "float", "double"; NULL: none, or of no matter */
-    const char
-        *unit; /* "u": of half an ulp of 1 in that arithmetic; else numbers are as they are */
+    /* that computes it: "float", "double"; NULL: none, or of no matter */
+    const char *arithmetic;
+    /* "u": half an ulp of 1 in that arithmetic; "u of float": 2^-24; else numbers are as they are */
+    const char *unit;
     const char *parts;   /* what the bound is composed of, in short */
     double bound, worst; /* of the case that comes nearest to its bound */
     char where[160];     /* that case */
@@ -30,6 +30,8 @@ typedef struct figure {
 static inline double figure_scale(const figure *f)
 {
     const int is_double = f->arithmetic && strcmp(f->arithmetic, "double") == 0;
+    if (strcmp(f->unit, "u of float") == 0)
+        return 0x1p24;
     if (strcmp(f->unit, "u") != 0)
         return 1.0;
     return is_double ? 0x1p53 : 0x1p24;

@@ -2,6 +2,7 @@
 #include "formulas.h"
 
 #include "light.h"
+#include "sky.h"
 #include "texture.h"
 #include "unpack.h"
 
@@ -22,9 +23,9 @@ static void out3(vec3 v, double out[3])
     out[2] = (double)v.z;
 }
 
-static void unit(const double v[3], double out[3])
+static void unit(const float v[3], double out[3])
 {
-    out3(unit3(in(v)), out);
+    out3(unit3(in_floats(v)), out);
 }
 
 static double specular_power(const double normal[3], const double half[3], double exponent)
@@ -72,9 +73,9 @@ static formula_reflection reflection_at(uint32_t model,
                                 (double)sum.grazing.x};
 }
 
-static double fade(const formula_falloff *f, double distance)
+static double fade(const formula_falloff *f, double at)
 {
-    const real d = (real)distance;
+    const real d = (real)at;
     if (f->row == TL_FADE_LINEAR)
         return (double)fade_linear(d, f->fade);
     if (f->row == TL_FADE_LINEAR_FROM) {
@@ -84,8 +85,7 @@ static double fade(const formula_falloff *f, double distance)
     }
     if (f->row == TL_FADE_TABLE)
         return (double)fade_by_table(d, f->fade, f->table, f->last);
-    const real d2 = d * d;
-    return (double)fade_inverse_square(d2, R(1.0) / SQRT(d2), f->fade);
+    return (double)fade_inverse_square(d, R(1.0) / SQRT(d), f->fade);
 }
 
 static double share_of_cone(const formula_cone *cone, const double l[3], int *is_in)
@@ -146,6 +146,26 @@ static double longitude(double y, double x)
     return (double)longitude_of((real)y, (real)x);
 }
 
+static double shown(const formula_map *map, const float direction[3])
+{
+    tl_view_map of = {.pixels_at = 1, .width = map->width, .height = map->height};
+    memcpy(of.right, map->right, sizeof of.right);
+    memcpy(of.up, map->up, sizeof of.up);
+    memcpy(of.ahead, map->ahead, sizeof of.ahead);
+    const vec3 d = in_floats(direction);
+    return (double)(map->is_projected ? map_projected(map->texels, of, d).x
+                                      : map_around(map->texels, of, d).x);
+}
+
+static double gradient(const formula_sky *sky, const float ray[3])
+{
+    const float horizon[3] = {sky->horizon, sky->horizon, sky->horizon};
+    const tl_view_sky of = {.map = {.up = {sky->up[0], sky->up[1], sky->up[2]}},
+                            .zenith = {sky->zenith, sky->zenith, sky->zenith},
+                            .ground = {sky->ground, sky->ground, sky->ground}};
+    return (double)sky_gradient(horizon, of, in_floats(ray)).x;
+}
+
 const formulas TL_FORMULAS = {
     .name = TL_REAL_DOUBLE ? "double" : "float",
     .u = TL_REAL_DOUBLE ? 0x1p-53 : 0x1p-24,
@@ -162,4 +182,6 @@ const formulas TL_FORMULAS = {
     .exponent = exponent,
     .shared = shared,
     .longitude = longitude,
+    .shown = shown,
+    .gradient = gradient,
 };

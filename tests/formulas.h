@@ -32,17 +32,30 @@ typedef struct formula_cone {
     float axis[3], least_cos, least_cos2, scale;
 } formula_cone;
 
+/* A picture as frames hold it, of grey. */
+typedef struct formula_map {
+    int is_projected;
+    float right[3], up[3], ahead[3];
+    uint32_t width, height;
+    const float *texels; /* [1 + height * width][4], the first row of no meaning */
+} formula_map;
+
+typedef struct formula_sky {
+    float up[3], horizon, zenith, ground;
+} formula_sky;
+
 typedef struct formulas {
     const char *name;
     double u; /* half an ulp of 1 */
 
-    void (*unit)(const double v[3], double out[3]);
+    void (*unit)(const float v[3], double out[3]);
     double (*specular_power)(const double normal[3], const double half[3], double exponent);
     /* Of a light of weight 1 at `light`, by a model: a row of kernels/models.h. */
     formula_reflection (*reflection)(uint32_t model,
                                      const formula_surface *s,
                                      const float light[3]);
-    double (*fade)(const formula_falloff *f, double distance);
+    /* At a distance, m; inverse square: at the square of it. */
+    double (*fade)(const formula_falloff *f, double at);
     /* Of the way l to the light. *is_in: whether it is in the cone at all. */
     double (*cone_share)(const formula_cone *cone, const double l[3], int *is_in);
 
@@ -63,6 +76,10 @@ typedef struct formulas {
     void (*shared)(uint32_t word, double out[3]);
 
     double (*longitude)(double y, double x); /* turns */
+    /* What a picture shows in a direction: kernels/texture.h. */
+    double (*shown)(const formula_map *map, const float direction[3]);
+    /* Of a sky that is a gradient: kernels/sky.h. */
+    double (*gradient)(const formula_sky *sky, const float ray[3]);
 } formulas;
 
 extern const formulas tl_formulas_float, tl_formulas_double;

@@ -4,6 +4,7 @@
  * What is packed is read twice: by layout_oracle.h, from the formats' definitions, and by
  * tl_gbuffer_unpack, in float as kernels do. Both must be within tilelight/error_bounds.h of what was
  * packed, value by value; values beyond a layout's range are expected cut, and counted. */
+#include "figures.h"
 #include "layout_frames.h"
 #include "layout_oracle.h"
 
@@ -20,7 +21,7 @@ typedef struct spot {
 } spot;
 
 /* The largest error so far, as a share of its bound: a bound that nothing comes near would say nothing. */
-static wide closest[TL_LAYOUT_COUNT][TL_PLANE_COUNT];
+static figure closest[TL_LAYOUT_COUNT][TL_PLANE_COUNT];
 
 /* plane: the one that `what` is of. */
 static void check(const spot *s,
@@ -36,8 +37,9 @@ static void check(const spot *s,
         fail_msg("%s, %s, pixel (%u, %u), %s: %s %.9Lg, want %.9Lg within %.3Lg",
                  tl_layout_word(s->layout), s->camera, s->column, s->row, reader, what, got,
                  want, bound);
-    if (error > closest[s->layout][plane] * bound)
-        closest[s->layout][plane] = error / bound;
+    if (bound > 0)
+        figure_sees(&closest[s->layout][plane], (double)error, (double)bound,
+                    "%s, pixel (%u, %u)", s->camera, s->column, s->row);
 }
 
 static wide value(const tl_gbuffer *g, int plane, size_t at)
@@ -473,18 +475,71 @@ static void no_bound_is_idle(void **state)
     for (int layout = 0; layout < TL_LAYOUT_COUNT; layout++)
         for (int p = 0; p < TL_PLANE_COUNT; p++)
             if (is_lossy((enum tl_layout_name)layout, (enum tl_plane)p) &&
-                closest[layout][p] < 0.5L)
-                fail_msg("%s, plane %d: errors reach %.2Lf of their bound",
-                         tl_layout_word((enum tl_layout_name)layout), p, closest[layout][p]);
+                !(closest[layout][p].worst >= 0.5 * closest[layout][p].bound))
+                fail_msg("%s, plane %d: errors reach %.3g of a bound of %.3g",
+                         tl_layout_word((enum tl_layout_name)layout), p,
+                         closest[layout][p].worst, closest[layout][p].bound);
+}
+
+/* One of each format and code. */
+static const struct {
+    const char *formula;
+    enum tl_layout_name layout;
+    enum tl_plane plane;
+    const char *quantity, *parts;
+} shown[] = {
+    {"depth in float24", TL_LAYOUT_COMPACT_12, TL_DEPTH, "m, stored and read", "two roundings"},
+    {"position in halves", TL_LAYOUT_SHADERX2_128, TL_DEPTH, "m, stored and read",
+     "two roundings, turn to the view"},
+    {"normal in 3 x 10 bits", TL_LAYOUT_SHADERX2_128, TL_NORMAL_X, "rad, stored and read",
+     "half a step each"},
+    {"normal in 3 x 10 signed bits", TL_LAYOUT_SHADERX2_128_S10, TL_NORMAL_X,
+     "rad, stored and read", "half a step each"},
+    {"normal in 3 x 8 bits", TL_LAYOUT_SHADERX2_128_U8, TL_NORMAL_X, "rad, stored and read",
+     "half a step each"},
+    {"normal in halves", TL_LAYOUT_SHADERX2_160, TL_NORMAL_X, "rad, stored and read",
+     "two roundings each"},
+    {"octahedron of 2 x 16 bits", TL_LAYOUT_COMPACT_16, TL_NORMAL_X, "rad, stored and read",
+     "a triangle's corner; reading"},
+    {"octahedron of 2 x 12 bits", TL_LAYOUT_COMPACT_12, TL_NORMAL_X, "rad, stored and read",
+     "a triangle's corner; reading"},
+    {"spheremap of 2 halves", TL_LAYOUT_ISPC, TL_NORMAL_X, "rad, stored and read",
+     "two roundings each, steep at the rim; reading"},
+    {"color in 8 bits", TL_LAYOUT_TUTORIAL, TL_ALBEDO_R, "stored and read", "half a step"},
+    {"root of a color in 8 bits", TL_LAYOUT_COMPACT_16, TL_ALBEDO_R, "stored and read",
+     "half a step, squared"},
+    {"grey of a color in 8 bits", TL_LAYOUT_COMPACT_12, TL_SPECULAR_R, "stored and read",
+     "half the spread, half a step"},
+    {"exponent's logarithm in 8 bits", TL_LAYOUT_TUTORIAL, TL_SHININESS, "stored and read",
+     "half a step, a factor of 1 + e; reading"},
+    {"exponent in half", TL_LAYOUT_ISPC, TL_SHININESS, "stored and read", "two roundings"},
+    {"roughness in 16 bits", TL_LAYOUT_COMPACT_16, TL_ROUGHNESS, "stored and read",
+     "half a step"},
+    {"emission in RGB9E5", TL_LAYOUT_COMPACT_16, TL_EMISSIVE_R, "stored and read",
+     "half a unit of the shared exponent"},
+};
+
+static void what_was_seen_is_told(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(shown); i++) {
+        figure f = closest[shown[i].layout][shown[i].plane];
+        f.section = "encodings";
+        f.formula = shown[i].formula;
+        f.file = "host/gbuffer/error_bounds.c";
+        f.quantity = shown[i].quantity;
+        f.unit = "";
+        f.parts = shown[i].parts;
+        figure_report(&f);
+    }
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_layout_of_phong),
-        cmocka_unit_test(every_layout_of_metal),
-        cmocka_unit_test(every_layout_of_the_least),
-        cmocka_unit_test(no_bound_is_idle),
+        cmocka_unit_test(every_layout_of_phong),     cmocka_unit_test(every_layout_of_metal),
+        cmocka_unit_test(every_layout_of_the_least), cmocka_unit_test(no_bound_is_idle),
+        cmocka_unit_test(what_was_seen_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

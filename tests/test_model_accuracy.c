@@ -193,7 +193,7 @@ static tl_oracle_surface exact_surface(const sample *s, int is_round)
                                .along = wide3_of(of->along)};
 }
 
-/* --- what comes of them -------------------------------------------------------------------------------- */
+/* --- what comes of them ------------------------------------------------------------------------------- */
 
 static double largest_off(span allowed, wide want)
 {
@@ -281,7 +281,8 @@ static void doubles_are_within(void **state)
         model_is_within(model, &tl_formulas_double);
 }
 
-/* Where squares of distances leave the range of an arithmetic, or no direction is left of them, nothing is lit. */
+/* Where squares of distances leave the range of an arithmetic, or no direction is left of them, nothing is
+ * lit. */
 static void lights_out_of_range_add_nothing(void **state)
 {
     static const double distances[] = {0.0, 1e-30, 1e-20, 1e-13, 1e20, 1e30, 3e38};

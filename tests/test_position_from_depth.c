@@ -1,14 +1,16 @@
 /* Is a position from stored depth as exact as kernels/depth_code.h derives, in every convention and under
  * every camera, and does the textbook form fail there?
  *
- * tests/oracle/depth.h has the definitions of the conventions. Bounds have two parts: how far the number that
- * is stored may be from the surface, half a step of it, and what reading that number in float may add, a few
- * u of the depth whatever far/near is. The second is what the form decides. */
+ * tests/oracle/depth_buffer.h has the definitions of the conventions. Bounds have two parts: how far the number
+ * that is stored may be from the surface, half a step of it, and what reading that number in float may add, a
+ * few u of the depth whatever far/near is. The second is what the form decides. */
 #include "layout_frames.h"
 
 #include "packing.h"
 
-#include "oracle/depth.h"
+#include "figures.h"
+#include "formulas.h"
+#include "oracle/depth_buffer.h"
 
 static const wide u = 0x1p-24Q;
 static const wide margin = 1 + 0x1p-20Q; /* products of errors */
@@ -16,13 +18,17 @@ static const wide margin = 1 + 0x1p-20Q; /* products of errors */
 /* read: u of the nearness that reading adds, where it is not exact (depth_code.h); step: of the number. */
 static const struct convention {
     enum tl_layout_name layout;
+    enum tl_oracle_convention of;
     int whole;      /* of 24 bits; 0: a float */
     int high_first; /* the highest of its three bytes first */
     int read;
 } conventions[] = {
-    {TL_LAYOUT_FLOAT_FORWARD, 0, 0, 1},  {TL_LAYOUT_FLOAT_NDC, 0, 0, 1},
-    {TL_LAYOUT_FLOAT_REVERSED, 0, 0, 0}, {TL_LAYOUT_TUTORIAL_U24, 1, 0, 2},
-    {TL_LAYOUT_TUTORIAL_3X8, 1, 1, 2},   {TL_LAYOUT_FLOAT_FRACTION, 0, 0, 0},
+    {TL_LAYOUT_FLOAT_FORWARD, TL_ORACLE_FORWARD, 0, 0, 1},
+    {TL_LAYOUT_FLOAT_NDC, TL_ORACLE_NDC, 0, 0, 1},
+    {TL_LAYOUT_FLOAT_REVERSED, TL_ORACLE_REVERSED, 0, 0, 0},
+    {TL_LAYOUT_TUTORIAL_U24, TL_ORACLE_FORWARD, 1, 0, 2},
+    {TL_LAYOUT_TUTORIAL_3X8, TL_ORACLE_FORWARD, 1, 1, 2},
+    {TL_LAYOUT_FLOAT_FRACTION, TL_ORACLE_FRACTION, 0, 0, 0},
 };
 
 /* Whether the number is linear in depth; else in 1/depth. */
@@ -42,14 +48,6 @@ static wide stored_number(const struct convention *c, const tl_gbuffer *g, size_
         return (wide)(b[2] * 65536u + b[1] * 256u + b[0]) / 16777215;
     memcpy(&f, b, sizeof f);
     return f;
-}
-
-/* How far along from near to far, from 0 to 1. */
-static wide share_of(const struct convention *c, wide stored)
-{
-    return c->layout == TL_LAYOUT_FLOAT_REVERSED ? 1 - stored
-           : c->layout == TL_LAYOUT_FLOAT_NDC    ? (1 + stored) / 2
-                                                 : stored;
 }
 
 static tl_depth_range range_of(const tl_camera *c, int linear)
@@ -144,6 +142,54 @@ static void check_across(const spot *s, int axis, wide got, wide depth, wide dep
               ((ray_off + u * fabsq(ray)) * depth + fabsq(ray) * depth_bound) * margin);
 }
 
+/* What was seen: of the depth, or, where numbers are linear in it, of near to far. */
+static figure figures[COUNT_OF(conventions)][2][2];
+
+static const char *const arithmetics[] = {"float", "double"};
+
+static void name_figures(void)
+{
+    for (size_t i = 0; i < COUNT_OF(conventions); i++)
+        for (int linear = 0; linear < 2; linear++)
+            for (int k = 0; k < 2; k++)
+                figures[i][linear][k] =
+                    (figure){.section = "positions",
+                             .formula = tl_layout_word(conventions[i].layout),
+                             .file = "kernels/depth_code.h",
+                             .quantity = linear ? "depth as read, of |near| + |far|"
+                                                : "depth as read, of itself",
+                             .arithmetic = arithmetics[k],
+                             .unit = k ? "u of float" : "u",
+                             .parts = linear ? "reading, slope, sum"
+                                             : "reading, slope and offset, sum, quotient"};
+}
+
+static void note(const spot *s, int linear, int arithmetic, wide got, wide want, wide bound)
+{
+    const tl_camera *c = &s->from->camera;
+    const wide scale = linear ? fabsq((wide)c->near) + fabsq((wide)c->far) : want;
+    figure_sees(&figures[s->convention - conventions][linear][arithmetic],
+                (double)(fabsq(got - want) / scale), (double)(bound / scale), "%s, depth %.9g",
+                s->camera, (double)want);
+}
+
+/* In double: slope and offset are floats, and nothing else rounds to speak of. */
+static void check_double(
+    const spot *s, const tl_frame *frame, int linear, wide number, wide stored)
+{
+    const tl_camera *c = &s->from->camera;
+    if (s->convention->whole)
+        return;
+    const int parallel = c->projection == TL_ORTHOGRAPHIC;
+    const wide read =
+        tl_formulas_double.depth(tl_layouts[s->convention->layout].depth.code, parallel,
+                                 frame->depth_slope, frame->depth_offset, (double)number);
+    const wide from = s->convention->of == TL_ORACLE_FRACTION ? c->near : c->far;
+    const wide rest = 0x1p-50Q * (fabsq(from) + fabsq(stored));
+    note(s, linear, 1, read, stored,
+         linear ? u * fabsq(from - stored) * margin + rest : (u + 0x1p-50Q) * stored * margin);
+}
+
 static void check_pixel(const spot *s, const tl_frame *frame, tl_needs needs)
 {
     const tl_word_planes planes = tl_word_planes_of(s->packed);
@@ -156,12 +202,15 @@ static void check_pixel(const spot *s, const tl_frame *frame, tl_needs needs)
         assert_true(isinf(got[2]) && got[2] < 0.0f);
         return;
     }
-    const wide stored = tl_oracle_depth_of_share(
-        range_of(&s->from->camera, is_linear(s->convention, &s->from->camera)),
-        share_of(s->convention, stored_number(s->convention, s->packed, s->at)));
+    const tl_camera *c = &s->from->camera;
+    const int linear = is_linear(s->convention, c);
+    const wide number = stored_number(s->convention, s->packed, s->at);
+    const wide stored = tl_oracle_depth(s->convention->of, range_of(c, linear), number);
     const wide bound = reading_bound(s, stored);
     check_storage(s, shown, stored);
     check(s, "depth as read", -(wide)got[2], stored, bound);
+    note(s, linear, 0, -(wide)got[2], stored, bound);
+    check_double(s, frame, linear, number, stored);
     check_across(s, 0, got[0], stored, bound);
     check_across(s, 1, got[1], stored, bound);
 }
@@ -190,6 +239,7 @@ static void check_frame(const struct convention *convention,
 static void positions_are_within_the_bound(void **state)
 {
     (void)state;
+    name_figures();
     for (size_t c = 0; c < COUNT_OF(hard_cameras); c++) {
         const tl_camera camera = hard_camera(c);
         tl_gbuffer *from = hard_layout_frame(&camera, TL_GROUP_BASE, 1994 + (uint32_t)c);
@@ -198,6 +248,9 @@ static void positions_are_within_the_bound(void **state)
                 check_frame(&conventions[i], hard_cameras[c].name, from);
         tl_gbuffer_destroy(from);
     }
+    for (size_t i = 0; i < 4 * COUNT_OF(conventions); i++)
+        if (figures[i / 4][i / 2 % 2][i % 2].cases > 0)
+            figure_report(&figures[i / 4][i / 2 % 2][i % 2]);
 }
 
 /* 1/depth = d/P34 + P33/P34, P33 = far/(near - far), P34 = near far/(near - far), as "Deferred Shading
@@ -216,7 +269,7 @@ static void worst_reading(const tl_camera *camera, wide *ours, wide *theirs)
     tl_view_set(camera, TL_LAYOUT_FLOAT_FORWARD, &frame);
     for (uint32_t k = 1; k < 4096; k++) {
         const float d = 1.0f - (float)k * (k % 2 ? 0x1p-24f : 0x1p-12f);
-        const wide exact = tl_oracle_depth_of_share(range_of(camera, 0), d);
+        const wide exact = tl_oracle_depth(TL_ORACLE_FORWARD, range_of(camera, 0), d);
         const wide read = depth_of(&frame, (tl_needs){.orthographic = 0}, TL_DEPTH_FORWARD,
                                    nearness_of(TL_DEPTH_FORWARD, d));
         *ours = fmaxq(*ours, fabsq(read - exact) / exact);
