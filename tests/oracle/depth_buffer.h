@@ -1,5 +1,6 @@
 /* What numbers of a depth buffer mean, by the definitions of the conventions (docs/layouts.md, "Position from
- * depth"). Nothing is shared with kernels/depth_code.h. Off by 8v of the largest of what is added, v = 2^-113. */
+ * depth"). Nothing is shared with kernels/depth_code.h. Off by 8v of the largest of what is added,
+ * v = 2^-113. */
 #ifndef TL_ORACLE_DEPTH_BUFFER_H
 #define TL_ORACLE_DEPTH_BUFFER_H
 
