@@ -137,8 +137,8 @@ TL_INLINE vec3 map_projected(tl_numbers numbers, tl_view_map map, vec3 d)
 }
 
 /* What is around in direction d, of any length. Its place: sums off as above turn longitude by sqrt(2) 4u |d|
- * over the level's length, colatitude by sqrt(3) 4u and 2.5u for the level; longitude_of adds 2u of the width or
- * 4u of the height, product and sum u each. */
+ * over the level's length, colatitude by sqrt(3) 4u and 2.5u for the level; longitude_of adds 2u of the width
+ * or 4u of the height, product and sum u each. */
 TL_INLINE vec3 map_around(tl_numbers numbers, tl_view_map map, vec3 d)
 {
     const scalar width = (scalar)map.width, height = (scalar)map.height;
