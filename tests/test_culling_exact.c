@@ -343,16 +343,6 @@ static void bands_do_not_show(void **state)
     tl_gbuffer_destroy(g);
 }
 
-/* A light contributes if and only if d2 < range2. */
-static void range_is_exclusive(void **state)
-{
-    const tl_view_light light = {.range2 = 2.0f};
-    (void)state;
-    assert_true(reaches(light, nextafterf(2.0f, 0.0f)));
-    assert_false(reaches(light, 2.0f));
-    assert_false(reaches(light, NAN));
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -361,7 +351,6 @@ int main(void)
         cmocka_unit_test(most_pairs_are_culled),
         cmocka_unit_test(lights_between_surfaces_cost_nothing),
         cmocka_unit_test(bands_do_not_show),
-        cmocka_unit_test(range_is_exclusive),
     };
     return cmocka_run_group_tests(tests, open_device, close_device);
 }

@@ -8,6 +8,7 @@
 #include "frames.h"
 
 #include "prepared.h"
+#include "reach.h"
 
 #include <float.h>
 
@@ -487,6 +488,16 @@ static void cones_by_hand(void **state)
         }
 }
 
+/* A light contributes if and only if d2 < range2. */
+static void range_is_exclusive(void **state)
+{
+    const tl_view_light light = {.range2 = 2.0f};
+    (void)state;
+    assert_true(reaches(light, nextafterf(2.0f, 0.0f)));
+    assert_false(reaches(light, 2.0f));
+    assert_false(reaches(light, NAN));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -495,6 +506,7 @@ int main(void)
         cmocka_unit_test(one_light_by_hand),
         cmocka_unit_test(cones_by_hand),
         cmocka_unit_test(falloffs_stay_finite),
+        cmocka_unit_test(range_is_exclusive),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

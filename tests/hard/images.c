@@ -141,7 +141,7 @@ static void cut_holes(tl_gbuffer *g)
 {
     for (uint32_t y = 0; y < g->camera.height; y++)
         for (uint32_t x = 0; x < g->camera.width; x++) {
-            const uint32_t kind = (x / 8 + y / 8) % 4, corner = x % 8 == 7 && y % 8 == 0;
+            const uint32_t kind = (x / 8 + y / 8) % 4, corner = x % 8 == 7 && y % 8 == 7;
             if (kind == 0 || (kind == 1 && !corner) || (kind == 2 && corner))
                 set_pixel(g, TL_DEPTH, pixel_at(g, x, y), INFINITY);
             else if (kind != 3 && isinf(depth_at(g, x, y)))

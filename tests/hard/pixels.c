@@ -169,37 +169,57 @@ static tl_light_set lights_over(const tl_gbuffer *g, uint32_t count)
     return lights;
 }
 
+static float length_at(uint32_t x, uint32_t y)
+{
+    return lengths[(x / 3 + y) % COUNT_OF(lengths)];
+}
+
+/* Of every third pixel; along x or y of the world. */
+static tl_gbuffer *frame_without_normals(const tl_camera *camera)
+{
+    tl_gbuffer *g = surfaces_between(camera, 3.0f, 6.0f);
+    tl_error err;
+    for (uint32_t y = 0; y < camera->height; y++)
+        for (uint32_t x = y % 3; x < camera->width; x += 3)
+            for (int axis = 0; axis < 3 && isfinite(depth_at(g, x, y)); axis++)
+                set_pixel(g, (enum tl_plane)(TL_NORMAL_X + axis), pixel_at(g, x, y),
+                          axis == (int)(x % 2) ? length_at(x, y) : 0.0f);
+    ASSERT_OK(tl_gbuffer_repair(g, "no normals", false, NULL, &err), err);
+    return g;
+}
+
+/* Whether the kernels have no normal there, rather than no number. */
+static int is_without_normal(const tl_prepared *prepared, const tl_gbuffer *g, size_t at)
+{
+    const vec3 world = {tl_gbuffer_plane(g, TL_NORMAL_X)[at],
+                        tl_gbuffer_plane(g, TL_NORMAL_Y)[at],
+                        tl_gbuffer_plane(g, TL_NORMAL_Z)[at]};
+    const vec3 n = view_normal(&prepared->frame, world);
+    return n.x == 0.0f && n.y == 0.0f && n.z == 0.0f;
+}
+
 /* A pixel without a normal has what ambient light gives it, and nothing else. */
 void hard_no_normal(hard_bench *bench)
 {
     const tl_camera camera = camera_of(FRAME_WIDTH, FRAME_HEIGHT, TL_PERSPECTIVE);
-    tl_gbuffer *g = surfaces_between(&camera, 3.0f, 6.0f);
+    tl_gbuffer *g = frame_without_normals(&camera);
     tl_light_set lights = lights_over(g, 40), none = {.ambient = {0.25f, 0.25f, 0.25f}};
-    tl_error err;
-    for (uint32_t y = 0; y < camera.height; y++)
-        for (uint32_t x = y % 3; x < camera.width; x += 3)
-            for (int axis = 0; axis < 3; axis++) {
-                const size_t at = pixel_at(g, x, y);
-                const float length = lengths[(x / 3 + y) % COUNT_OF(lengths)];
-                if (isfinite(depth_at(g, x, y)))
-                    set_pixel(g, (enum tl_plane)(TL_NORMAL_X + axis), at,
-                              axis == (int)(x % 2) ? length : 0.0f);
-            }
-    ASSERT_OK(tl_gbuffer_repair(g, "no normals", false, NULL, &err), err);
     tl_image *image = hard_picture(g, &lights), *ambient = hard_picture(g, &none);
+    tl_prepared prepared = prepared_of(g, &lights);
     for (uint32_t y = 0; y < camera.height; y++)
         for (uint32_t x = y % 3; x < camera.width; x += 3) {
-            const float length = lengths[(x / 3 + y) % COUNT_OF(lengths)];
             const size_t at = pixel_at(g, x, y);
-            const int is_none = tl_gbuffer_plane(g, TL_NORMAL_X)[at] == 0.0f &&
-                                tl_gbuffer_plane(g, TL_NORMAL_Y)[at] == 0.0f;
+            const float length = length_at(x, y);
+            const int repaired = tl_gbuffer_plane(g, TL_NORMAL_X)[at] == 0.0f &&
+                                 tl_gbuffer_plane(g, TL_NORMAL_Y)[at] == 0.0f;
+            const int as_ambient =
+                is_without_normal(&prepared, g, at) &&
+                same_bits(value_at(image, 0, x, y), value_at(ambient, 0, x, y));
             if (isfinite(depth_at(g, x, y)))
-                hard_count(bench,
-                           is_finite_at(image, x, y) &&
-                               (!is_none || same_bits(value_at(image, 0, x, y),
-                                                      value_at(ambient, 0, x, y))),
+                hard_count(bench, is_finite_at(image, x, y) && (!repaired || as_ambient),
                            fabsf(length / sqrtf(length * length)) == 1.0f);
         }
+    tl_prepared_clear(&prepared);
     tl_image_destroy(image);
     tl_image_destroy(ambient);
     hard_light(bench, g, &lights);
