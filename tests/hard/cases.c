@@ -2,7 +2,8 @@
 
 /* What is tried, where cases try the same. */
 static const char sphere_pixels[] = "pixels that a light reaches, in its rectangle";
-static const char cone_pixels[] = "pixels in reach of a spot, in its cone or not";
+static const char cone_pixels[] =
+    "pixels in reach of a spot: in its cone or not, and its share";
 
 const hard_case hard_cases[] = {
     {1, "camera-inside",
@@ -121,7 +122,8 @@ const hard_case hard_cases[] = {
      hard_no_normal},
     {25, "nan-pixel", "One pixel that is no number is smeared over the image.",
      "Numbers are repaired where they enter; and without that they stay in their pixel.",
-     "overte 2297", "pixels beside: the same bits", "a mean over neighbours", hard_nan_pixel},
+     "overte 2297", "pixels beside: the same bits", "a mean over neighbours of a plane",
+     hard_nan_pixel},
 };
 
 const size_t hard_case_count = COUNT_OF(hard_cases);

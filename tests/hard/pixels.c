@@ -252,18 +252,19 @@ static tl_gbuffer *spoiled_frame(const tl_camera *camera)
     return g;
 }
 
-/* Whether the mean over a pixel and its neighbours, bloom's first step, is a number. */
-static int is_mean_finite(const tl_image *image, uint32_t x, uint32_t y)
+/* Whether the mean of a plane over a pixel and its neighbours, bloom's first step, is a number. */
+static int is_mean_finite(const tl_gbuffer *g, enum tl_plane plane, uint32_t x, uint32_t y)
 {
-    for (uint32_t row = y - (y > 0); row <= y + 1 && row < image->height; row++)
-        for (uint32_t column = x - (x > 0); column <= x + 1 && column < image->width; column++)
-            if (!is_finite_at(image, column, row))
-                return 0;
-    return 1;
+    float sum = 0.0f;
+    for (uint32_t row = y - (y > 0); row <= y + 1 && row < g->camera.height; row++)
+        for (uint32_t column = x - (x > 0); column <= x + 1 && column < g->camera.width;
+             column++)
+            sum += tl_gbuffer_plane(g, plane)[pixel_at(g, column, row)];
+    return isfinite(sum);
 }
 
 /* Every other pixel of the picture, and of that of 2 x 2 samples a pixel, has the bits that it has where all
- * are numbers. */
+ * are numbers; and these have a value, too. */
 static void count_harmed(hard_bench *bench,
                          const tl_gbuffer *g,
                          const tl_image *got,
@@ -275,9 +276,11 @@ static void count_harmed(hard_bench *bench,
     ASSERT_OK(tl_image_resolve(clean, 2, &clean_means, &err), err);
     for (uint32_t y = 0; y < got->height; y++)
         for (uint32_t x = 0; x < got->width; x++)
-            if (!is_spoiled(g, x, y))
-                hard_count(bench, same_bits(value_at(got, 1, x, y), value_at(clean, 1, x, y)),
-                           is_mean_finite(got, x, y));
+            hard_count(bench,
+                       is_spoiled(g, x, y)
+                           ? is_finite_at(got, x, y)
+                           : same_bits(value_at(got, 1, x, y), value_at(clean, 1, x, y)),
+                       is_mean_finite(g, TL_ALBEDO_R, x, y));
     for (uint32_t y = 0; y < got->height / 2; y++)
         for (uint32_t x = 0; x < got->width / 2; x++)
             if (!is_spoiled(g, 2 * x, 2 * y) && !is_spoiled(g, 2 * x + 1, 2 * y) &&
