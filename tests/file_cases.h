@@ -91,17 +91,18 @@ static inline void assert_same_gbuffer(const char *name,
                                        const tl_gbuffer *a,
                                        const tl_gbuffer *b)
 {
-    if (a->present != b->present || a->pitch != b->pitch || a->rows != b->rows)
+    if (a->layout != b->layout || a->present != b->present || a->pitch != b->pitch ||
+        a->rows != b->rows)
         fail_msg("%s: planes %x or pitch differ from %x", name, a->present, b->present);
     if (a->samples != b->samples)
         fail_msg("%s: %u samples of a pixel, not %u", name, a->samples, b->samples);
     if (memcmp(&a->camera, &b->camera, sizeof a->camera) != 0)
         fail_msg("%s: the camera differs", name);
-    const size_t count = (size_t)__builtin_popcount(a->present) * a->pitch * a->rows;
-    for (size_t i = 0; i < count; i++)
-        if (!same_bits(a->planes[i], b->planes[i]))
-            fail_msg("%s: float %zu of %zu is %a, not %a", name, i, count, (double)a->planes[i],
-                     (double)b->planes[i]);
+    const size_t size = (size_t)tl_gbuffer_pixel_size(a) * a->pitch * a->rows;
+    for (size_t i = 0; i < size; i++)
+        if (a->planes[i] != b->planes[i])
+            fail_msg("%s: byte %zu of %zu is %02x, not %02x", name, i, size, a->planes[i],
+                     b->planes[i]);
 }
 
 #endif

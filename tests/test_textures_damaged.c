@@ -1,6 +1,7 @@
 /* Is a texture whose parts are not all there refused by its size, before a decoder takes memory for what is
  * missing? */
 #include "decode.h"
+#include "picture_parts.h"
 #include "png_bytes.h"
 
 /* Where the length of the chunk of pixels stands in what png_encode makes. */
@@ -54,12 +55,45 @@ static void cut_pixels_are_refused(void **state)
     free(png.data);
 }
 
+/* The head of a JPEG with one table, of `per_size` codes of each of the 16 sizes. */
+static int table_is_sound(uint8_t per_size)
+{
+    uint8_t file[4 + 19 + 16 * 256] = {0xff, 0xd8, 0xff, 0xc4};
+    const size_t length = 19 + (size_t)16 * per_size;
+    file[4] = (uint8_t)(length >> 8);
+    file[5] = (uint8_t)length;
+    memset(file + 7, per_size, 16);
+    return tl_picture_is_sound(file, 4 + length);
+}
+
+static void more_codes_than_places_are_refused(void **state)
+{
+    (void)state;
+    assert_true(table_is_sound(1));
+    assert_true(table_is_sound(16)); /* 256 in all */
+    assert_false(table_is_sound(17));
+    assert_false(table_is_sound(255));
+}
+
+/* Where a decoder reads on: of a segment that ends in the numbers of codes, and of a file that does. */
+static void cut_tables_are_refused(void **state)
+{
+    static const uint8_t file[] = {0xff, 0xd8, 0xff, 0xc4, 0, 4, 0, 255, 255, 255};
+    uint32_t width, height;
+    (void)state;
+    assert_false(tl_picture_is_sound(file, sizeof file));
+    assert_false(tl_decode_size(file, sizeof file, &width, &height));
+    assert_true(tl_picture_is_sound(file, 8)); /* 255 codes */
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(whole_pictures_have_a_size),
         cmocka_unit_test(chunks_beyond_the_end_are_refused),
         cmocka_unit_test(cut_pixels_are_refused),
+        cmocka_unit_test(more_codes_than_places_are_refused),
+        cmocka_unit_test(cut_tables_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

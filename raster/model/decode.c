@@ -2,6 +2,7 @@
 #include "decode.h"
 
 #include "load_limits.h"
+#include "picture_parts.h"
 
 #include <limits.h>
 #include <math.h>
@@ -14,36 +15,17 @@
 #define STBI_ONLY_JPEG
 #define STBI_NO_STDIO
 #define STBI_NO_FAILURE_STRINGS /* one of them is static memory that threads would write at once */
+/* Tables that a JPEG uses and does not bring are empty, not what memory held before. */
+#define STBI_MALLOC(size) calloc(1, size)
+#define STBI_REALLOC(memory, size) realloc(memory, size)
+#define STBI_FREE(memory) free(memory)
 #define STBI_MAX_DIMENSIONS TL_MAX_IMAGE_EXTENT
 #include <stb_image.h>
-
-static uint32_t big_endian(const uint8_t *bytes)
-{
-    return (uint32_t)bytes[0] << 24 | (uint32_t)bytes[1] << 16 | (uint32_t)bytes[2] << 8 |
-           (uint32_t)bytes[3];
-}
-
-/* Whether the chunks of a PNG are within the file, and of another file always: stb_image takes as much memory
- * as a chunk says it has bytes, up to 2 GiB, before it sees how many there are. */
-static int chunks_are_there(const uint8_t *data, size_t size)
-{
-    static const size_t head = 8, checksum = 4; /* length and type */
-    size_t at = 8;
-    if (size < at || memcmp(data, "\x89PNG", 4) != 0)
-        return 1;
-    while (at <= size && size - at >= head && memcmp(data + at + 4, "IEND", 4) != 0) {
-        const uint32_t length = big_endian(data + at);
-        if (length > size - at - head)
-            return 0;
-        at += head + length + checksum;
-    }
-    return 1;
-}
 
 int tl_decode_size(const uint8_t *data, size_t size, uint32_t *width, uint32_t *height)
 {
     int w = 0, h = 0, channels = 0;
-    if (size > INT_MAX || !chunks_are_there(data, size) ||
+    if (size > INT_MAX || !tl_picture_is_sound(data, size) ||
         !stbi_info_from_memory(data, (int)size, &w, &h, &channels) || w < 1 || h < 1)
         return 0;
     *width = (uint32_t)w;
