@@ -13,7 +13,9 @@ enum { MAX_FLAGS = 512, MAX_PROGRAMS = 32 };
 
 struct tl_programs {
     tl_program of[MAX_PROGRAMS];
-    int count, oldest;
+    uint64_t asked_at[MAX_PROGRAMS]; /* which of all askings was the last for it */
+    uint64_t askings;
+    int count;
 };
 
 /* No -cl-fast-relaxed-math: the error bounds in kernels/ assume IEEE arithmetic. */
@@ -212,14 +214,16 @@ int tl_program_keep(const tl_device *device, const tl_program *program)
     return 1;
 }
 
-/* Where the next program goes; the one built longest ago gives way. */
-static tl_program *free_slot(struct tl_programs *programs)
+/* Where the next program goes; the one that was asked for longest ago gives way. */
+static int free_slot(struct tl_programs *programs)
 {
+    int slot = 0;
     if (programs->count < MAX_PROGRAMS)
-        return &programs->of[programs->count++];
-    tl_program *slot = &programs->of[programs->oldest];
-    programs->oldest = (programs->oldest + 1) % MAX_PROGRAMS;
-    release(slot);
+        return programs->count++;
+    for (int i = 1; i < MAX_PROGRAMS; i++)
+        if (programs->asked_at[i] < programs->asked_at[slot])
+            slot = i;
+    release(&programs->of[slot]);
     return slot;
 }
 
@@ -274,13 +278,15 @@ tl_status tl_program_find(tl_device *device,
         built.user = *user;
     if (!device->programs)
         device->programs = calloc(1, sizeof *device->programs);
-    if (!device->programs)
+    struct tl_programs *programs = device->programs;
+    if (!programs)
         return tl_fail(err, TL_ERR_MEMORY, "out of memory for kernel programs");
-    for (int i = 0; i < device->programs->count; i++) {
-        *out = &device->programs->of[i];
-        if (is_same(*out, &built))
+    for (int i = 0; i < programs->count; i++)
+        if (is_same(&programs->of[i], &built)) {
+            programs->asked_at[i] = ++programs->askings;
+            *out = &programs->of[i];
             return TL_OK;
-    }
+        }
     tl_status status = build(device, &built, err);
     if (status == TL_OK && built.user.text)
         status = tl_user_kernel_copy(&built.user, &built.user_memory, err);
@@ -288,9 +294,10 @@ tl_status tl_program_find(tl_device *device,
         release(&built);
         return status;
     }
-    tl_program *slot = free_slot(device->programs);
-    *slot = built;
-    *out = slot;
+    const int slot = free_slot(programs);
+    programs->of[slot] = built;
+    programs->asked_at[slot] = ++programs->askings;
+    *out = &programs->of[slot];
     return TL_OK;
 }
 
