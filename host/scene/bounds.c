@@ -2,10 +2,16 @@
 
 #include "sphere_bounds.h"
 
-/* Cells [*first, *end) of `count` between the edges `at_0` and `at_count` that the interval meets:
- * from the one that holds its one end to the one that holds the other. A pixel whose centre is in the
- * interval is half a cell inside, which no rounding here comes near. Whether there is one is asked of
- * the edges themselves, so that what touches them is in where the interval is exact. 0 if there is none. */
+/* Cells [*first, *end) of `count` between the edges `at_0` and `at_count` that the interval meets: from the
+ * one that holds its one end to the one that holds the other. A pixel whose centre is in the interval is half
+ * a cell inside, which no rounding here comes near: an end m is off by 14u |m|, u = 2^-53.
+ *   1. The tangent's length, a root, is off by 1.5u, and its product by 2.5u; the other product is exact; so
+ *      their sum is off by 3.5u where they have one sign.
+ *   2. Else its conjugate takes its place, d2 (c - r)(c + r) over it: 1 + 1 + 1 + 2 + 3.5 + 1 = 9.5u. Of
+ *      numerator and denominator one at most is of that kind; their quotient rounds once: 3.5 + 9.5 + 1.
+ *   3. An end on the near or the far plane is off by 7.5u. c - r and c + r, under parallel rays, round once.
+ * Whether there is a cell is asked of the edges themselves, so that what touches them is in where the
+ * interval is exact. 0 if there is none. */
 static int cells_of(tl_interval interval,
                     double at_0,
                     double at_count,

@@ -26,7 +26,7 @@ const tl_named_sphere tl_named_spheres[TL_NAMED_SPHERES] = {
     {"eye one ulp outside, aslant", {0.6f, 0.8f, -2}, 0x1.1e377ap1f},
     {"eye one ulp outside, ahead", {0, 1, -2.55f}, 0x1.466664p1f},
     {"centre behind the eye", {1, 1, 2}, 5},
-    {"centre behind, almost beside", {3.6f, 1.3f, 1.5f}, 3.9f},
+    {"centre behind, eye on the surface", {3.6f, 1.3f, 1.5f}, 3.9f},
     {"centre behind, eye outside", {3, 0.5f, 0.5f}, 2.9f},
     {"centre beside the eye", {3, 0, 0}, 2},
     {"centre beside, reaching in", {0.4f, 0, 0}, 0.3f},

@@ -23,12 +23,9 @@ typedef struct tl_sphere_verdict {
  * interval, it counts as in the one for pixels that are lost and as out of it for those that are extra.
  *
  * That a rectangle is empty is decided at the edges of the image, by an interval that doubles have rounded:
- * its end m is off by 14u |m|, u = 2^-53. The tangent's length is off by 1.5u, so its product by 2.5u, and
- * the sum with the other product, which is exact, by 3.5u; where it cancels its conjugate takes its place,
- * d2 (c - r)(c + r) over it: 1 + 1 + 1 + 2 + 3.5 + 1 = 9.5u; of the two sums one is of the first kind; and
- * u is their quotient's. An end on a plane is off by 7.5u. Under parallel rays c - r and c + r are exact,
- * unless no double holds them. Closer to an edge both answers are right; that is counted, as `undecided`.
- * Whether an axis is empty has no slack. */
+ * host/scene/bounds.c has its end off by 14u of itself, u = 2^-53, and exact where it is a sum that a double
+ * holds. Closer to an edge both answers are right; that is counted, as `undecided`. Whether an axis is empty
+ * has no slack. */
 tl_sphere_verdict tl_judge_sphere(const tl_sphere_case *of, const tl_pixel_rect *rect);
 
 /* Adds one case, of tl_sphere_bounds. A first look in long double, which can only find that the contract is
