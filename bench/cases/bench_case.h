@@ -79,7 +79,8 @@ tl_status tl_bench_cases_add(tl_bench_cases *cases, const tl_bench_lists *lists,
 /* Leaves it empty. */
 void tl_bench_cases_clear(tl_bench_cases *cases);
 
-/* Whether both have the same G-buffer but for its layout (scene, size, material); and the same lights in it. */
+/* Whether both have the same G-buffer but for its layout (scene, size, material); and the same lights in
+ * it. */
 int tl_bench_case_same_gbuffer(const tl_bench_case *a, const tl_bench_case *b);
 int tl_bench_case_same_frame(const tl_bench_case *a, const tl_bench_case *b);
 
