@@ -2,41 +2,10 @@
  * normal_code.h and color_code.h derive for float and for double?
  *
  * Expected is tests/oracle/encodings.h. What storing rounds is tests/test_layout_round_trip.c's. */
-#include "figures.h"
-#include "formulas.h"
+#include "formula_cases.h"
 #include "oracle/encodings.h"
 
 #include "number.h"
-
-static const formulas *const all[] = {&tl_formulas_float, &tl_formulas_double};
-
-static uint32_t bits_of(uint64_t *seed)
-{
-    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
-    return (uint32_t)(*seed >> 32);
-}
-
-static int scaled_count(int count)
-{
-    const char *times = getenv("TILELIGHT_CASES");
-    const long factor = times ? strtol(times, NULL, 10) : 1;
-    return count * (int)(factor > 0 ? factor : 1);
-}
-
-static figure figure_of(const char *formula,
-                        const char *file,
-                        const char *quantity,
-                        const formulas *by,
-                        const char *parts)
-{
-    return (figure){.section = "encodings",
-                    .formula = formula,
-                    .file = file,
-                    .quantity = quantity,
-                    .arithmetic = by->name,
-                    .unit = "u",
-                    .parts = parts};
-}
 
 static void exact(const formulas *by, const char *what, uint32_t bits, double got, wide want)
 {
@@ -53,13 +22,14 @@ static void floats_are_exact(void **state)
     for (int i = 0; i < scaled_count(20000); i++) {
         const uint32_t word = i % 3 ? bits_of(&seed) : bits_of(&seed) & 0x83ff83ffu;
         const uint32_t half = word & 0xffffu, short_float = word >> 8;
-        for (size_t k = 0; k < COUNT_OF(all); k++) {
+        for (size_t k = 0; k < COUNT_OF(arithmetics); k++) {
             if ((half & 0x7c00u) != 0x7c00u)
-                exact(all[k], "half", half, all[k]->number(TL_NUMBER_HALF, word, 0, 16),
+                exact(arithmetics[k], "half", half,
+                      arithmetics[k]->number(TL_NUMBER_HALF, word, 0, 16),
                       tl_oracle_binary(half, 1, 5, 10));
             if (short_float < 0xff0000u)
-                exact(all[k], "float24", short_float,
-                      all[k]->number(TL_NUMBER_FLOAT24, word, 8, 24),
+                exact(arithmetics[k], "float24", short_float,
+                      arithmetics[k]->number(TL_NUMBER_FLOAT24, word, 8, 24),
                       tl_oracle_binary(short_float, 0, 8, 16));
         }
     }
@@ -68,12 +38,12 @@ static void floats_are_exact(void **state)
 static void whole_numbers_are_within(void **state)
 {
     (void)state;
-    for (size_t k = 0; k < COUNT_OF(all); k++) {
-        const formulas *by = all[k];
-        figure plain = figure_of("unorm of 2 to 24 bits", "kernels/number.h",
+    for (size_t k = 0; k < COUNT_OF(arithmetics); k++) {
+        const formulas *by = arithmetics[k];
+        figure plain = figure_of("encodings", "unorm of 2 to 24 bits", "kernels/number.h",
                                  "value, of itself", by, "step rounded, product"),
-               sign = figure_of("snorm of 2 to 24 bits", "kernels/number.h", "value, of itself",
-                                by, "step rounded, product");
+               sign = figure_of("encodings", "snorm of 2 to 24 bits", "kernels/number.h",
+                                "value, of itself", by, "step rounded, product");
         uint64_t seed = 255;
         for (int i = 0; i < scaled_count(20000); i++) {
             const int bits = 2 + i % 23;
@@ -100,10 +70,10 @@ static void whole_numbers_are_within(void **state)
 static void bytes_are_in_order(void **state)
 {
     (void)state;
-    for (size_t k = 0; k < COUNT_OF(all); k++) {
-        const double got = all[k]->number(TL_NUMBER_BYTES24, 0x99563412u, 0, 24);
+    for (size_t k = 0; k < COUNT_OF(arithmetics); k++) {
+        const double got = arithmetics[k]->number(TL_NUMBER_BYTES24, 0x99563412u, 0, 24);
         const wide want = tl_oracle_unorm(0x123456u, 24);
-        assert_true(fabsq(got - want) <= 2 * (wide)all[k]->u * want);
+        assert_true(fabsq(got - want) <= 2 * (wide)arithmetics[k]->u * want);
     }
 }
 
@@ -116,10 +86,11 @@ static void octahedra_are_within(void **state)
 {
     static const uint32_t counts[] = {12, 16};
     (void)state;
-    for (size_t k = 0; k < COUNT_OF(all); k++) {
-        const formulas *by = all[k];
-        figure f = figure_of("octahedron of 12 and 16 bits", "kernels/normal_code.h", "rad", by,
-                             "numbers 1.5 each, two differences, the fold");
+    for (size_t k = 0; k < COUNT_OF(arithmetics); k++) {
+        const formulas *by = arithmetics[k];
+        figure f =
+            figure_of("encodings", "octahedron of 12 and 16 bits", "kernels/normal_code.h",
+                      "rad", by, "numbers 1.5 each, two differences, the fold");
         uint64_t seed = 8;
         for (int i = 0; i < scaled_count(20000); i++) {
             const uint32_t bits = counts[i % 2], most = (1u << bits) - 1u;
@@ -155,10 +126,10 @@ static double spheremap_bound(wide ex, wide ey, wide u)
 static void spheremaps_are_within(void **state)
 {
     (void)state;
-    for (size_t k = 0; k < COUNT_OF(all); k++) {
-        const formulas *by = all[k];
-        figure f = figure_of("spheremap of halves", "kernels/normal_code.h", "rad", by,
-                             "radius 2, steep at the rim; root, products");
+    for (size_t k = 0; k < COUNT_OF(arithmetics); k++) {
+        const formulas *by = arithmetics[k];
+        figure f = figure_of("encodings", "spheremap of halves", "kernels/normal_code.h", "rad",
+                             by, "radius 2, steep at the rim; root, products");
         uint64_t seed = 1772;
         for (int i = 0; i < scaled_count(20000); i++) {
             const uint32_t a = bits_of(&seed) % 0x3c01u, b = bits_of(&seed) % 0x3c01u;
@@ -184,10 +155,11 @@ static void spheremaps_are_within(void **state)
 static void exponents_are_within(void **state)
 {
     (void)state;
-    for (size_t k = 0; k < COUNT_OF(all); k++) {
-        const formulas *by = all[k];
-        figure f = figure_of("logarithm of an exponent", "kernels/color_code.h", "of 1 + e", by,
-                             "difference, product with log2 10001; power 14; product");
+    for (size_t k = 0; k < COUNT_OF(arithmetics); k++) {
+        const formulas *by = arithmetics[k];
+        figure f =
+            figure_of("encodings", "logarithm of an exponent", "kernels/color_code.h",
+                      "of 1 + e", by, "difference, product with log2 10001; power 14; product");
         for (uint32_t field = 1; field < 256; field++) {
             const double stored = by->number(TL_NUMBER_UNORM, field, 0, 8);
             const wide want = tl_oracle_exponent(stored);
@@ -206,12 +178,12 @@ static void shared_exponents_are_exact(void **state)
     for (int i = 0; i < scaled_count(5000); i++) {
         const uint32_t word = bits_of(&seed);
         const wide3 want = tl_oracle_shared(word);
-        for (size_t k = 0; k < COUNT_OF(all); k++) {
+        for (size_t k = 0; k < COUNT_OF(arithmetics); k++) {
             double got[3];
-            all[k]->shared(word, got);
-            exact(all[k], "RGB9E5, red", word, got[0], want.x);
-            exact(all[k], "RGB9E5, green", word, got[1], want.y);
-            exact(all[k], "RGB9E5, blue", word, got[2], want.z);
+            arithmetics[k]->shared(word, got);
+            exact(arithmetics[k], "RGB9E5, red", word, got[0], want.x);
+            exact(arithmetics[k], "RGB9E5, green", word, got[1], want.y);
+            exact(arithmetics[k], "RGB9E5, blue", word, got[2], want.z);
         }
     }
 }
@@ -220,11 +192,12 @@ static void shared_exponents_are_exact(void **state)
 static void unit_vectors_are_within(void **state)
 {
     (void)state;
-    for (size_t k = 0; k < COUNT_OF(all); k++) {
-        const formulas *by = all[k];
-        figure length = figure_of("unit vector", "kernels/vec3.h", "length", by,
+    for (size_t k = 0; k < COUNT_OF(arithmetics); k++) {
+        const formulas *by = arithmetics[k];
+        figure length = figure_of("encodings", "unit vector", "kernels/vec3.h", "length", by,
                                   "squares and sums, halved 1.5; root, quotient, products"),
-               turn = figure_of("unit vector", "kernels/vec3.h", "rad", by, "products");
+               turn = figure_of("encodings", "unit vector", "kernels/vec3.h", "rad", by,
+                                "products");
         uint64_t seed = 3;
         for (int i = 0; i < scaled_count(40000); i++) {
             const double scale = pow(10, bits_of(&seed) * 0x1p-32 * 33 - 15);

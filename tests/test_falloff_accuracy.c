@@ -3,44 +3,13 @@
  *
  * Expected is tests/oracle/falloffs.h. Lights' numbers are rounded to float once, in either arithmetic, as
  * frames hold them: in double that is nearly all of the bound. */
-#include "figures.h"
-#include "formulas.h"
+#include "formula_cases.h"
 #include "oracle/falloffs.h"
 
 #include "falloff.h"
 #include "spot_cone.h"
 
 static const wide f24 = 0x1p-24Q; /* what rounding a light's number to float leaves */
-
-static const formulas *const all[] = {&tl_formulas_float, &tl_formulas_double};
-
-static double uniform_of(uint64_t *seed)
-{
-    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
-    return (double)(*seed >> 11) * 0x1p-53;
-}
-
-static int scaled_count(int count)
-{
-    const char *times = getenv("TILELIGHT_CASES");
-    const long factor = times ? strtol(times, NULL, 10) : 1;
-    return count * (int)(factor > 0 ? factor : 1);
-}
-
-static figure figure_of(const char *formula,
-                        const char *file,
-                        const char *quantity,
-                        const formulas *by,
-                        const char *parts)
-{
-    return (figure){.section = "falloffs",
-                    .formula = formula,
-                    .file = file,
-                    .quantity = quantity,
-                    .arithmetic = by->name,
-                    .unit = by->u < 0x1p-24 ? "u of float" : "u",
-                    .parts = parts};
-}
 
 /* A range from 1e-30 to 1e30 m, and a distance: anywhere in it, far within, about its end. */
 static void distance_in(uint64_t *seed, int i, double most, float *range, float *distance)
@@ -59,10 +28,10 @@ static void distance_in(uint64_t *seed, int i, double most, float *range, float 
 static void linear_is_within(void **state)
 {
     (void)state;
-    for (size_t k = 0; k < COUNT_OF(all); k++) {
-        const wide u = all[k]->u;
-        figure f = figure_of("linear", "kernels/falloff.h", "weight", all[k],
-                             "1/range rounded, product and sum");
+    for (size_t k = 0; k < COUNT_OF(arithmetics); k++) {
+        const wide u = arithmetics[k]->u;
+        figure f = figure_of_light("linear", "kernels/falloff.h", "weight", arithmetics[k],
+                                   "1/range rounded, product and sum");
         uint64_t seed = 2005;
         for (int i = 0; i < scaled_count(20000); i++) {
             float range, d;
@@ -70,7 +39,7 @@ static void linear_is_within(void **state)
             const formula_falloff of = {.row = TL_FADE_LINEAR,
                                         .fade = (float)(1.0 / (double)range)};
             const wide share = (wide)d / range, want = tl_oracle_linear(d, 0, range);
-            const wide got = all[k]->fade(&of, (double)d);
+            const wide got = arithmetics[k]->fade(&of, (double)d);
             figure_sees(&f, (double)fabsq(got - want),
                         (double)((share * f24 + fabsq(1 - share) * u) * (1 + 0x1p-20Q)),
                         "distance %a of %a", (double)d, (double)range);
@@ -82,10 +51,10 @@ static void linear_is_within(void **state)
 static void linear_from_is_within(void **state)
 {
     (void)state;
-    for (size_t k = 0; k < COUNT_OF(all); k++) {
-        figure f =
-            figure_of("linear from a distance", "kernels/falloff.h",
-                      "weight, of range/(range - begin)", all[k], "both numbers rounded, sum");
+    for (size_t k = 0; k < COUNT_OF(arithmetics); k++) {
+        figure f = figure_of_light("linear from a distance", "kernels/falloff.h",
+                                   "weight, of range/(range - begin)", arithmetics[k],
+                                   "both numbers rounded, sum");
         uint64_t seed = 2007;
         for (int i = 0; i < scaled_count(20000); i++) {
             float range, d;
@@ -99,9 +68,9 @@ static void linear_from_is_within(void **state)
                                         .fade = (float)(1.0 / width),
                                         .offset = (float)((double)range / width)};
             const wide offset = (wide)range / width, want = tl_oracle_linear(d, begin, range);
-            const wide got = all[k]->fade(&of, (double)d);
+            const wide got = arithmetics[k]->fade(&of, (double)d);
             figure_sees(&f, (double)(fabsq(got - want) / offset),
-                        (double)((2 * f24 + (wide)all[k]->u) * (1 + 0x1p-20Q)),
+                        (double)((2 * f24 + (wide)arithmetics[k]->u) * (1 + 0x1p-20Q)),
                         "distance %a of %a, from %a", (double)d, (double)range, (double)begin);
         }
         figure_report(&f);
@@ -112,12 +81,13 @@ static void linear_from_is_within(void **state)
 static void inverse_square_is_within(void **state)
 {
     (void)state;
-    for (size_t k = 0; k < COUNT_OF(all); k++) {
-        const wide u = all[k]->u;
-        figure f = figure_of("inverse square", "kernels/falloff.h",
-                             "weight, of that without a range", all[k],
-                             "window: 1/range^2 rounded, product, square; root, quotient, "
-                             "square, product");
+    for (size_t k = 0; k < COUNT_OF(arithmetics); k++) {
+        const wide u = arithmetics[k]->u;
+        figure f =
+            figure_of_light("inverse square", "kernels/falloff.h",
+                            "weight, of that without a range", arithmetics[k],
+                            "window: 1/range^2 rounded, product, square; root, quotient, "
+                            "square, product");
         uint64_t seed = 2017;
         for (int i = 0; i < scaled_count(20000); i++) {
             float range, d;
@@ -132,7 +102,7 @@ static void inverse_square_is_within(void **state)
             const wide distance = sqrtq(d2), end = has_range ? (wide)range : HUGE_VALQ;
             const wide whole = tl_oracle_inverse_square(distance, HUGE_VALQ);
             const wide want = tl_oracle_inverse_square(distance, end);
-            const wide got = all[k]->fade(&of, (double)d2),
+            const wide got = arithmetics[k]->fade(&of, (double)d2),
                        s2 = has_range ? d2 / (end * end) : 0;
             const wide fade_off = 2 * s2 * s2 * (f24 + u) + fabsq(1 - s2 * s2) * u;
             /* 1/range^2 leaves the numbers where the range is beyond 1e18 or below 1e-18. */
@@ -165,10 +135,10 @@ static void tables_are_within(void **state)
     static const float values[SAMPLES_OF_TABLE] = {3.0f, 0.0f, 1.0f,   0.25f, 2.0f,
                                                    0.5f, 0.5f, 0.125f, 0.0f};
     (void)state;
-    for (size_t k = 0; k < COUNT_OF(all); k++) {
-        const wide u = all[k]->u;
-        figure f = figure_of("table", "kernels/falloff.h", "weight", all[k],
-                             "place: last/range rounded, product; difference, sum");
+    for (size_t k = 0; k < COUNT_OF(arithmetics); k++) {
+        const wide u = arithmetics[k]->u;
+        figure f = figure_of_light("table", "kernels/falloff.h", "weight", arithmetics[k],
+                                   "place: last/range rounded, product; difference, sum");
         uint64_t seed = 1905;
         for (int i = 0; i < scaled_count(20000); i++) {
             float range, d;
@@ -183,7 +153,7 @@ static void tables_are_within(void **state)
             const wide place = (wide)d / range * last;
             const size_t at = place < last ? (size_t)place : (size_t)last - 1;
             const wide want = tl_oracle_table(d, range, values, SAMPLES_OF_TABLE);
-            const wide got = all[k]->fade(&of, (double)d);
+            const wide got = arithmetics[k]->fade(&of, (double)d);
             const wide slack = table_slack(values, place, place * (f24 + u) * (1 + 0x1p-20Q));
             figure_sees(&f, (double)fabsq(got - want),
                         (double)(slack + 4 * u * fmaxq(values[at], values[at + 1])),
@@ -194,13 +164,6 @@ static void tables_are_within(void **state)
 }
 
 /* --- cones -------------------------------------------------------------------------------------------- */
-
-static wide3 direction(uint64_t *seed)
-{
-    const double z = 2 * uniform_of(seed) - 1, phi = 6.283185307179586 * uniform_of(seed),
-                 r = sqrt(1 - z * z);
-    return (wide3){r * cos(phi), r * sin(phi), z};
-}
 
 /* Half-angles: soft, hard, hair-thin, half of space, more than that, all of it. */
 static const float cones[][2] = {{0.3f, 0.6f},        {0.5f, 0.5f},
@@ -213,9 +176,9 @@ static const float cones[][2] = {{0.3f, 0.6f},        {0.5f, 0.5f},
 /* A way to a light with the angle to its axis anywhere, or about one of the cone's edges. */
 static void cone_case(uint64_t *seed, int i, tl_light *light, wide3 *way)
 {
-    const wide3 axis = direction(seed), none = {0, 0, 0};
+    const wide3 axis = direction_of(seed), none = {0, 0, 0};
     const size_t at = (size_t)i % COUNT_OF(cones);
-    const wide3 side = direction(seed);
+    const wide3 side = direction_of(seed);
     const wide3 across = wide3_unit(wide3_sum(side, -wide3_dot(side, axis), axis));
     double angle = 3.141592653589793 * uniform_of(seed);
     if (i % 3)
@@ -237,12 +200,12 @@ static void cones_are_within(void **state)
     static const double eye[3] = {0, 0, 0}, ahead[3] = {0, 0, -1}, up[3] = {0, 1, 0};
     const tl_camera camera = tl_camera_look_at(eye, ahead, up, 1.0, 8, 8, 0.1, 10.0);
     (void)state;
-    for (size_t k = 0; k < COUNT_OF(all); k++) {
-        const wide u = all[k]->u;
-        figure f =
-            figure_of("cone of a spot", "kernels/spot.h",
-                      "share before its square, of 1/(cos inner - cos outer)", all[k],
-                      "l.axis, length of l, axis and cosine rounded; difference, product");
+    for (size_t k = 0; k < COUNT_OF(arithmetics); k++) {
+        const wide u = arithmetics[k]->u;
+        figure f = figure_of_light(
+            "cone of a spot", "kernels/spot.h",
+            "share before its square, of 1/(cos inner - cos outer)", arithmetics[k],
+            "l.axis, length of l, axis and cosine rounded; difference, product");
         uint64_t seed = 1875;
         for (int i = 0; i < scaled_count(20000); i++) {
             tl_light light;
@@ -260,7 +223,7 @@ static void cones_are_within(void **state)
             const wide3 from = {-(wide)l[0], -(wide)l[1], -(wide)l[2]};
             tl_oracle_cone(wide3_of(light.direction), from, light.inner_cone, light.outer_cone,
                            &want);
-            const wide got = sqrtq(all[k]->cone_share(&cone, to_light, &is_in));
+            const wide got = sqrtq(arithmetics[k]->cone_share(&cone, to_light, &is_in));
             const wide scale = tl_oracle_cone_steepness(light.inner_cone, light.outer_cone);
             const wide off = (7.5Q * u + 2 * f24) * scale + 2 * u + f24;
             if (is_in ? want + off <= 0 : want > off)
@@ -280,9 +243,9 @@ static void cones_are_within(void **state)
 static void longitudes_are_within(void **state)
 {
     (void)state;
-    for (size_t k = 0; k < COUNT_OF(all); k++) {
-        figure f = figure_of("longitude", "kernels/texture.h", "turns", all[k],
-                             "quotient, polynomial, product, two differences");
+    for (size_t k = 0; k < COUNT_OF(arithmetics); k++) {
+        figure f = figure_of_light("longitude", "kernels/texture.h", "turns", arithmetics[k],
+                                   "quotient, polynomial, product, two differences");
         f.unit = "u";
         uint64_t seed = 1569;
         for (int i = 0; i < scaled_count(20000); i++) {
@@ -291,9 +254,9 @@ static void longitudes_are_within(void **state)
             const float small = (float)(tilt * (double)big);
             const float x = (i & 4 ? 1.0f : -1.0f) * (i & 8 ? big : small),
                         y = (i & 16 ? 1.0f : -1.0f) * (i & 8 ? small : big);
-            const wide got = all[k]->longitude((double)y, (double)x);
-            figure_sees(&f, (double)fabsq(got - tl_oracle_longitude(y, x)), 2 * all[k]->u,
-                        "(%a, %a)", (double)y, (double)x);
+            const wide got = arithmetics[k]->longitude((double)y, (double)x);
+            figure_sees(&f, (double)fabsq(got - tl_oracle_longitude(y, x)),
+                        2 * arithmetics[k]->u, "(%a, %a)", (double)y, (double)x);
         }
         figure_report(&f);
     }

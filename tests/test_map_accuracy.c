@@ -3,50 +3,12 @@
  *
  * Expected is tests/oracle/maps.h. The picture's directions are floats, which are handed over rounded: each
  * is off by 2^-24, whatever computes with it. A picture of steep ramps shows how far off its places are. */
-#include "figures.h"
-#include "formulas.h"
+#include "formula_cases.h"
 #include "oracle/maps.h"
 
 enum { WIDTH = 12, HEIGHT = 7, TEXELS = WIDTH * HEIGHT };
 
 static const wide f24 = 0x1p-24Q;
-static const formulas *const all[] = {&tl_formulas_float, &tl_formulas_double};
-
-static double uniform_of(uint64_t *seed)
-{
-    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
-    return (double)(*seed >> 11) * 0x1p-53;
-}
-
-static int scaled_count(int count)
-{
-    const char *times = getenv("TILELIGHT_CASES");
-    const long factor = times ? strtol(times, NULL, 10) : 1;
-    return count * (int)(factor > 0 ? factor : 1);
-}
-
-static figure figure_of(const char *formula,
-                        const char *file,
-                        const char *quantity,
-                        const formulas *by,
-                        const char *parts)
-{
-    return (figure){.section = "falloffs",
-                    .formula = formula,
-                    .file = file,
-                    .quantity = quantity,
-                    .arithmetic = by->name,
-                    .unit = by->u < 0x1p-24 ? "u of float" : "u",
-                    .parts = parts};
-}
-
-static wide3 direction(uint64_t *seed)
-{
-    const double z = 2 * uniform_of(seed) - 1, phi = 6.283185307179586 * uniform_of(seed),
-                 r = sqrt(1 - z * z);
-    return (wide3){r * cos(phi), r * sin(phi), z};
-}
-
 /* How a picture stands: right, up, ahead. */
 typedef struct stand {
     wide3 right, up, ahead;
@@ -54,16 +16,9 @@ typedef struct stand {
 
 static stand random_stand(uint64_t *seed)
 {
-    const wide3 up = wide3_unit(direction(seed)), other = direction(seed);
+    const wide3 up = wide3_unit(direction_of(seed)), other = direction_of(seed);
     const wide3 ahead = wide3_unit(wide3_sum(other, -wide3_dot(other, up), up));
     return (stand){wide3_cross(ahead, up), up, ahead};
-}
-
-static void round_to(float out[3], wide3 a, wide scale)
-{
-    out[0] = (float)(a.x * scale);
-    out[1] = (float)(a.y * scale);
-    out[2] = (float)(a.z * scale);
 }
 
 /* x: the column, else the row. */
@@ -93,10 +48,10 @@ static void slides_are_within(void **state)
     static const double halves[] = {0.01, 0.3, 0.8, 1.5};
     static float texels[1 + TEXELS][4], values[TEXELS];
     (void)state;
-    for (size_t k = 0; k < COUNT_OF(all); k++) {
-        figure f =
-            figure_of("place on a slide", "kernels/texture.h", "pixels of 12 x 7", all[k],
-                      "two sums, directions rounded; quotient, product, sum; mixtures");
+    for (size_t k = 0; k < COUNT_OF(arithmetics); k++) {
+        figure f = figure_of_light(
+            "place on a slide", "kernels/texture.h", "pixels of 12 x 7", arithmetics[k],
+            "two sums, directions rounded; quotient, product, sum; mixtures");
         uint64_t seed = 1659;
         for (int i = 0; i < scaled_count(8000); i++) {
             const stand s = random_stand(&seed);
@@ -121,8 +76,8 @@ static void slides_are_within(void **state)
             const wide scale = per_edge * size;
             const wide bound = slide_bound(scale * wide3_dot(exact, of_x ? s.right : s.up),
                                            wide3_dot(exact, s.ahead), wide3_length(exact),
-                                           scale, size, all[k]->u);
-            figure_sees(&f, (double)fabsq(all[k]->shown(&map, d) - want), (double)bound,
+                                           scale, size, arithmetics[k]->u);
+            figure_sees(&f, (double)fabsq(arithmetics[k]->shown(&map, d) - want), (double)bound,
                         "half-angle %g", (double)half);
         }
         figure_report(&f);
@@ -144,10 +99,10 @@ static void globes_are_within(void **state)
 {
     static float texels[1 + TEXELS][4], values[TEXELS];
     (void)state;
-    for (size_t k = 0; k < COUNT_OF(all); k++) {
-        figure f = figure_of("place on a map of longitude and latitude", "kernels/texture.h",
-                             "pixels of 12 x 7", all[k],
-                             "two sums, directions rounded; longitude; product, sum; mixtures");
+    for (size_t k = 0; k < COUNT_OF(arithmetics); k++) {
+        figure f = figure_of_light(
+            "place on a map of longitude and latitude", "kernels/texture.h", "pixels of 12 x 7",
+            arithmetics[k], "two sums, directions rounded; longitude; product, sum; mixtures");
         uint64_t seed = 1569;
         for (int i = 0; i < scaled_count(8000); i++) {
             const stand s = random_stand(&seed);
@@ -158,7 +113,7 @@ static void globes_are_within(void **state)
             round_to(map.up, s.up, 1);
             round_to(map.ahead, s.ahead, 1);
             const wide tilt = i % 3 ? 1 : powq(10, -4 * uniform_of(&seed));
-            const wide3 any = direction(&seed);
+            const wide3 any = direction_of(&seed);
             round_to(d, composed(&s, any.x * tilt, any.y, any.z * tilt),
                      pow(10, 24 * uniform_of(&seed) - 12));
             ramp(texels, values, of_x);
@@ -167,12 +122,12 @@ static void globes_are_within(void **state)
                 tl_oracle_globe_place(exact, s.right, s.up, s.ahead, WIDTH, HEIGHT);
             const wide in_plane = hypotq(wide3_dot(exact, s.right), wide3_dot(exact, s.ahead));
             const wide bound =
-                globe_bound(in_plane, wide3_length(exact), size, of_x, all[k]->u);
+                globe_bound(in_plane, wide3_length(exact), size, of_x, arithmetics[k]->u);
             /* Across the seam the ramp falls from its end to its beginning. */
             if (of_x && (at.x < bound || at.x > WIDTH - 1 - bound))
                 continue;
             const wide want = tl_oracle_shown(values, WIDTH, HEIGHT, 1, at);
-            figure_sees(&f, (double)fabsq(all[k]->shown(&map, d) - want), (double)bound,
+            figure_sees(&f, (double)fabsq(arithmetics[k]->shown(&map, d) - want), (double)bound,
                         "%.3g of the way off the pole",
                         (double)(in_plane / wide3_length(exact)));
         }
@@ -193,38 +148,39 @@ static void seams_are_closed(void **state)
                              .texels = texels[0]};
     (void)state;
     ramp(texels, values, 1);
-    for (size_t k = 0; k < COUNT_OF(all); k++)
+    for (size_t k = 0; k < COUNT_OF(arithmetics); k++)
         for (int i = -8; i <= 8; i++) {
             const float d[3] = {(float)i * 0x1p-5f, 0.1f, 1.0f};
             const wide want = tl_oracle_shown(
                 values, WIDTH, HEIGHT, 1,
                 tl_oracle_globe_place(wide3_of(d), s.right, s.up, s.ahead, WIDTH, HEIGHT));
-            assert_true(fabsq(all[k]->shown(&map, d) - want) < WIDTH * 0x1p-18Q);
+            assert_true(fabsq(arithmetics[k]->shown(&map, d) - want) < WIDTH * 0x1p-18Q);
         }
 }
 
 static void gradients_are_within(void **state)
 {
     (void)state;
-    for (size_t k = 0; k < COUNT_OF(all); k++) {
-        const wide u = all[k]->u;
-        figure f = figure_of("gradient of a sky", "kernels/sky.h", "radiance, of the largest",
-                             all[k], "sum, up rounded; root, quotient, product; mixture");
+    for (size_t k = 0; k < COUNT_OF(arithmetics); k++) {
+        const wide u = arithmetics[k]->u;
+        figure f = figure_of_light("gradient of a sky", "kernels/sky.h",
+                                   "radiance, of the largest", arithmetics[k],
+                                   "sum, up rounded; root, quotient, product; mixture");
         uint64_t seed = 1871;
         for (int i = 0; i < scaled_count(8000); i++) {
-            const wide3 up = direction(&seed);
+            const wide3 up = direction_of(&seed);
             const formula_sky sky = {.up = {(float)up.x, (float)up.y, (float)up.z},
                                      .horizon = (float)uniform_of(&seed),
                                      .zenith = (float)uniform_of(&seed),
                                      .ground = i % 3 ? 0.0f : (float)uniform_of(&seed)};
             float ray[3];
-            round_to(ray, i % 4 ? direction(&seed) : up, i % 8 ? 1 : -1);
+            round_to(ray, i % 4 ? direction_of(&seed) : up, i % 8 ? 1 : -1);
             const wide3 exact = wide3_of(ray);
             const wide want =
                 tl_oracle_gradient(exact, up, sky.horizon, sky.zenith, sky.ground);
             const wide most = fmaxq(sky.horizon, fmaxq(sky.zenith, sky.ground));
             /* 3u for the sum, 4.5u for squares, root, quotient and product, up; 3u for the mixture. */
-            figure_sees(&f, (double)(fabsq(all[k]->gradient(&sky, ray) - want) / most),
+            figure_sees(&f, (double)(fabsq(arithmetics[k]->gradient(&sky, ray) - want) / most),
                         (double)((7.5Q * u + f24 + 3 * u) * (1 + 0x1p-20Q)), "case %d", i);
         }
         figure_report(&f);

@@ -3,13 +3,12 @@
  *
  * Expected is tests/oracle/models.h; the bounds are those of kernels/halfway.h, specular.h and lobe_*.h
  * (model_bounds.c). Surface and light are floats, so both arithmetics and the oracle begin with the same. */
-#include "figures.h"
-#include "formulas.h"
+#include "formula_cases.h"
 #include "model_bounds.h"
 
 #include "models.h"
 
-enum { SAMPLES = 1200 }; /* of a model; TILELIGHT_CASES: how many times as many */
+enum { SAMPLES = 1200 }; /* of a model */
 
 #define COSINE "n.l: directions and lengths of n and l, sum"
 #define POWER "turn of h; power"
@@ -37,37 +36,17 @@ static const struct {
                               "turn of h; alpha^2 cos^2 + sin^2; n.v, n.l, two roots"},
 };
 
-static unsigned long case_count(void)
-{
-    const char *times = getenv("TILELIGHT_CASES");
-    const long factor = times ? strtol(times, NULL, 10) : 1;
-    return SAMPLES * (unsigned long)(factor > 0 ? factor : 1);
-}
-
 /* --- surfaces and lights ------------------------------------------------------------------------------ */
-
-static double uniform_of(uint64_t *seed)
-{
-    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
-    return (double)(*seed >> 11) * 0x1p-53;
-}
 
 static double between(uint64_t *seed, double low, double high)
 {
     return low + (high - low) * uniform_of(seed);
 }
 
-static wide3 direction(uint64_t *seed)
-{
-    const double z = between(seed, -1, 1), phi = between(seed, 0, 6.283185307179586),
-                 r = sqrt(1 - z * z);
-    return (wide3){r * cos(phi), r * sin(phi), z};
-}
-
 /* Across n, of length 1. */
 static wide3 aside(uint64_t *seed, wide3 n)
 {
-    const wide3 a = direction(seed);
+    const wide3 a = direction_of(seed);
     return wide3_unit(wide3_sum(a, -wide3_dot(a, n), n));
 }
 
@@ -135,13 +114,6 @@ static void stand(uint64_t *seed, stance as, wide3 n, double width, wide3 *l, wi
     }
 }
 
-static void round_to(float out[3], wide3 a, wide scale)
-{
-    out[0] = (float)(a.x * scale);
-    out[1] = (float)(a.y * scale);
-    out[2] = (float)(a.z * scale);
-}
-
 static const float exponents[] = {0.0f, 1.0f, 1.5f, 7.0f, 80.0f, 1000.0f, 10000.0f};
 static const float alphas2[] = {0x1.a35b04p-13f, 1e-3f, 0.04f, 0.3f,
                                 1.0f}; /* roughness 0 to 1 */
@@ -159,7 +131,7 @@ static sample random_sample(uint64_t *seed, unsigned long i)
 {
     sample s = {.as = (stance)(i % STANCE_COUNT)};
     formula_surface *of = &s.surface;
-    const wide3 n = direction(seed);
+    const wide3 n = direction_of(seed);
     wide3 l, v;
     of->exponent = exponents[i / 3 % COUNT_OF(exponents)];
     of->alpha2 = alphas2[i / 5 % COUNT_OF(alphas2)];
@@ -170,7 +142,7 @@ static sample random_sample(uint64_t *seed, unsigned long i)
     const double away = pow(10, between(seed, -8, 15)), by = pow(10, between(seed, -3, 3));
     stand(seed, s.as, n, width, &l, &v);
     round_to(of->normal, n, i % 4 == 3 ? pow(10, between(seed, -14, 17)) : 1);
-    round_to(of->along, i % 6 == 5 ? tilted(seed, n, 0.01) : direction(seed), 1);
+    round_to(of->along, i % 6 == 5 ? tilted(seed, n, 0.01) : direction_of(seed), 1);
     round_to(of->position, v, -away);
     const wide3 from = wide3_of(of->position);
     round_to(s.light, wide3_sum(from, by * away, l), 1);
@@ -229,24 +201,19 @@ static void check(
         figure_sees(f, (double)fabsq(got - want) / scale, bound, "%s", stances[s->as]);
 }
 
-static figure figure_of(uint32_t model, const char *lobe, const formulas *by)
+static figure figure_of_model(uint32_t model, const char *lobe, const formulas *by)
 {
-    return (figure){.section = "models",
-                    .formula = models[model].word,
-                    .file = models[model].file,
-                    .quantity = lobe,
-                    .arithmetic = by->name,
-                    .unit = "u",
-                    .parts = lobe[0] == 'd' ? models[model].diffuse : models[model].specular};
+    return figure_of("models", models[model].word, models[model].file, lobe, by,
+                     lobe[0] == 'd' ? models[model].diffuse : models[model].specular);
 }
 
 static void model_is_within(uint32_t model, const formulas *by)
 {
-    figure diffuse = figure_of(model, "diffuse", by),
-           specular = figure_of(model, "specular", by),
-           grazing = figure_of(model, "specular times Fresnel's weight", by);
+    figure diffuse = figure_of_model(model, "diffuse", by),
+           specular = figure_of_model(model, "specular", by),
+           grazing = figure_of_model(model, "specular times Fresnel's weight", by);
     uint64_t seed = 1977 + model;
-    for (unsigned long i = 0; i < case_count(); i++) {
+    for (unsigned long i = 0; i < (unsigned long)scaled_count(SAMPLES); i++) {
         const sample s = random_sample(&seed, i);
         const tl_oracle_surface exact = exact_surface(&s, model != TL_MODEL_WARD_ANISOTROPIC);
         const tl_oracle_reflected want = tl_oracle_reflection(models[model].word, &exact);
@@ -286,27 +253,26 @@ static void doubles_are_within(void **state)
 static void lights_out_of_range_add_nothing(void **state)
 {
     static const double distances[] = {0.0, 1e-30, 1e-20, 1e-13, 1e20, 1e30, 3e38};
-    static const formulas *const all[] = {&tl_formulas_float, &tl_formulas_double};
     uint64_t seed = 30;
     (void)state;
     for (unsigned long i = 0; i < 4000; i++) {
         const double to_eye = distances[i % COUNT_OF(distances)],
                      to_light = distances[i / 7 % COUNT_OF(distances)];
         sample s = random_sample(&seed, i);
-        round_to(s.surface.position, direction(&seed), to_eye);
-        round_to(s.light, wide3_sum(wide3_of(s.surface.position), to_light, direction(&seed)),
-                 1);
-        for (size_t k = 0; k < COUNT_OF(all); k++) {
+        round_to(s.surface.position, direction_of(&seed), to_eye);
+        round_to(s.light,
+                 wide3_sum(wide3_of(s.surface.position), to_light, direction_of(&seed)), 1);
+        for (size_t k = 0; k < COUNT_OF(arithmetics); k++) {
             const formula_reflection r =
-                all[k]->reflection((uint32_t)(i % TL_MODEL_COUNT), &s.surface, s.light);
+                arithmetics[k]->reflection((uint32_t)(i % TL_MODEL_COUNT), &s.surface, s.light);
             const int is_out = to_light <= 1e-13 && to_eye <= 1e-13;
             const int is_beyond = k == 0 && to_light > to_eye && to_light >= 1e20;
             const int is_fine = r.diffuse >= 0.0 && r.specular >= 0.0 && r.grazing >= 0.0 &&
                                 isfinite(r.diffuse + r.specular + r.grazing);
             if (!is_fine)
                 fail_msg("%s, %s: %g, %g, %g with the eye at %g m and the light at %g m, %s",
-                         models[i % TL_MODEL_COUNT].word, all[k]->name, r.diffuse, r.specular,
-                         r.grazing, to_eye, to_light, stances[s.as]);
+                         models[i % TL_MODEL_COUNT].word, arithmetics[k]->name, r.diffuse,
+                         r.specular, r.grazing, to_eye, to_light, stances[s.as]);
             if (is_out || is_beyond)
                 assert_true(r.diffuse == 0.0 && r.specular == 0.0 && r.grazing == 0.0);
         }
