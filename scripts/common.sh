@@ -8,6 +8,16 @@ fail() {
     exit 1
 }
 
+# Prints the comment at the top of the script and ends, if WORD asks for help. Usage: help_if_asked WORD
+help_if_asked() {
+    case ${1:-} in
+        -h | --help)
+            sed -n '2,/^set/s/^# \{0,1\}//p' "scripts/${0##*/}"
+            exit 0
+            ;;
+    esac
+}
+
 # Runs a step and says how long it took; its output is shown if it fails, or with VERBOSE set.
 # Usage: step TITLE COMMAND...
 step() {
