@@ -5,6 +5,12 @@ find_package(Python3 REQUIRED COMPONENTS Interpreter)
 add_test(NAME data_scenes_are_made
          COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/data/make_scenes.py --check)
 set_tests_properties(data_scenes_are_made PROPERTIES LABELS unit)
+
+# Do the texts still stand that scripts/plant-faults replaces?
+add_test(NAME faults_apply
+         COMMAND ${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/tests/faults/plant.py --check)
+set_tests_properties(faults_apply PROPERTIES LABELS unit)
+
 tl_test(test_tone unit tl_picture)
 tl_test(test_compare unit tl_picture)
 tl_test(test_flip unit tl_picture)

@@ -1,7 +1,7 @@
 """Faults that are planted, one at a time, and the test that has to catch each.
 
 A fault is a text that stands once in a file, and what takes its place. Where it does not stand there once any
-more, planting fails: the fault moves with the code.
+more, planting fails, and so does the test faults_apply: the fault moves with the code.
 """
 import collections
 

@@ -2,6 +2,7 @@
 """Plants faults in a copy of the project and tells which test catches each; scripts/plant-faults runs it.
 
     tests/faults/plant.py COPY [--list | NAME...]
+    tests/faults/plant.py --check    does each still apply to the project as it is?
 """
 import os
 import pathlib
@@ -103,6 +104,11 @@ def planted(text, fault):
     return text.replace(fault.before, fault.after)
 
 
+def check_that_texts_stand(source, faults):
+    for fault in faults:
+        planted((source / fault.file).read_text(), fault)
+
+
 def try_fault(source, build, fault):
     path = source / fault.file
     clean = path.read_text()
@@ -124,6 +130,9 @@ def chosen(names):
 
 
 def main():
+    if sys.argv[1:] == ["--check"]:
+        check_that_texts_stand(ROOT, FAULTS)
+        return
     copy, words = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2:]
     if words == ["--list"]:
         for fault in FAULTS:
@@ -132,8 +141,7 @@ def main():
     faults = chosen(words)
     source, build = copy / "source", copy / "build"
     copy_sources(source)
-    for fault in faults:
-        planted((source / fault.file).read_text(), fault)
+    check_that_texts_stand(source, faults)
     configure(source, build)
     run(["cmake", "--build", build, "--target"] + sorted({fault.target for fault in faults}))
     check_that_tests_pass(source, build, faults)
