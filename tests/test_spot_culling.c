@@ -3,6 +3,7 @@
  *
  * Positions are found at the edge of the cone, where rounding decides whether they are in it; boxes are
  * put around them, of no size and of all sizes. */
+#include "directions.h"
 #include "frames.h"
 
 #include "bounds/cone_verdict.h"
@@ -16,21 +17,6 @@ static const float half_angles[] = {3e-4f,       0.001f, 0.01f, 0.1f,  0.5f,
                                     1.57079637f, 1.6f,   2.5f,  3.1f,  3.14159274f};
 
 enum { CASES_PER_ANGLE = 60000 };
-
-/* Of length 1, `angle` away from the direction `from`. */
-static void turned(const double from[3], double angle, uint32_t *seed, double out[3])
-{
-    double other[3], across[3], along = 0.0, length2 = 0.0;
-    random_direction(seed, other);
-    for (int i = 0; i < 3; i++)
-        along += other[i] * from[i];
-    for (int i = 0; i < 3; i++) {
-        across[i] = other[i] - along * from[i];
-        length2 += across[i] * across[i];
-    }
-    for (int i = 0; i < 3; i++)
-        out[i] = cos(angle) * from[i] + sin(angle) * across[i] / sqrt(length2);
-}
 
 /* View space is world space. */
 static tl_view_spot spot_of_angle(float outer, const double direction[3])
@@ -61,14 +47,15 @@ static edge_case edge_case_of(float outer, uint32_t *seed)
     const double share =
         uniform(seed, 0.0f, 1.0f) < 0.7f ? 1.0 : (double)uniform(seed, 0.0f, 1.0f);
     const double slip = (double)uniform(seed, -3e-7f, 3e-7f);
-    double direction[3], way[3];
+    double direction[3], other[3], way[3];
     float at[3];
     edge_case out = {.light = {.range2 = INFINITY}};
     random_direction(seed, direction);
     if (uniform(seed, 0.0f, 1.0f) < 0.1f) /* along an axis of space */
         for (int i = 0; i < 3; i++)
             direction[i] = i == 1 ? -1.0 : 0.0;
-    turned(direction, fabs((double)outer * share + slip), seed, way);
+    random_direction(seed, other);
+    turn_towards(direction, other, fabs((double)outer * share + slip), way);
     out.spot = spot_of_angle(outer, direction);
     for (int i = 0; i < 3; i++) {
         out.light.position[i] = uniform(seed, -place, place);
@@ -161,8 +148,7 @@ static void cones_are_where_the_oracle_says(void **state)
         }
         if (tally_violations(&tally) > 0)
             fail_msg("%s: of %d cases %d lost positions, %d light one that is out of the cone, "
-                     "%d do "
-                     "not light one that is in it",
+                     "%d do not light one that is in it",
                      tl_cone_families[f].name, (int)CASES, (int)tally.lost,
                      (int)tally.falsely_kept, (int)tally.falsely_empty);
         assert_in_range(tally.hits, CASES / 20, CASES);

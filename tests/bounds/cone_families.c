@@ -1,5 +1,7 @@
 #include "bounds/cone_families.h"
 
+#include "directions.h"
+
 /* Of length 1, as good as. */
 static void draw_direction(tl_draws *d, double out[3])
 {
@@ -15,21 +17,6 @@ static void draw_direction(tl_draws *d, double out[3])
         out[i] /= sqrt(length2);
 }
 
-/* A direction that is `angle` away from another one. */
-static void draw_turned(tl_draws *d, const double from[3], double angle, double out[3])
-{
-    double other[3], across[3], along = 0.0, length2 = 0.0;
-    draw_direction(d, other);
-    for (int i = 0; i < 3; i++)
-        along += other[i] * from[i];
-    for (int i = 0; i < 3; i++) {
-        across[i] = other[i] - along * from[i];
-        length2 += across[i] * across[i];
-    }
-    for (int i = 0; i < 3; i++)
-        out[i] = cos(angle) * from[i] + sin(angle) * across[i] / sqrt(length2);
-}
-
 static float any_half_angle(tl_draws *d)
 {
     const int is_even = draw_chance(d, 0.5);
@@ -43,12 +30,13 @@ static tl_cone_case at_edge(tl_draws *d, float half_angle, double away, double p
     tl_cone_case c = {.half_angle = half_angle};
     const double share = draw_chance(d, 0.8) ? 1.0 : draw(d, 0.0, 1.0);
     const double slip = (double)draw_signed(d, 1e-8, 1.0);
-    double direction[3], way[3];
+    double direction[3], other[3], way[3];
     draw_direction(d, direction);
     if (draw_chance(d, 0.1)) /* along an axis of space */
         for (int i = 0; i < 3; i++)
             direction[i] = i == 1 ? -1.0 : 0.0;
-    draw_turned(d, direction, fabs((double)half_angle * share + slip), way);
+    draw_direction(d, other);
+    turn_towards(direction, other, fabs((double)half_angle * share + slip), way);
     for (int i = 0; i < 3; i++) {
         c.light[i] = (float)draw(d, -place, place);
         c.direction[i] = (float)direction[i];

@@ -6,6 +6,7 @@
 #include "hard_case.h"
 #include "hard_frames.h"
 
+#include "directions.h"
 #include "spot.h"
 #include "tile_rect.h"
 
@@ -124,22 +125,15 @@ static void add_spot(tl_light_set *lights,
 {
     const rim at = random_rim(g, seed, i);
     const vec3 p = position_at(g, at.x, at.y);
-    double way[3], other[3], along = 0.0, length2 = 0.0, world[3], view[3];
+    double way[3], other[3], world[3], view[3];
     tl_light light = tl_light_default();
     tl_error err;
     random_direction(seed, way);
     random_direction(seed, other);
-    for (int k = 0; k < 3; k++)
-        along += way[k] * other[k];
-    for (int k = 0; k < 3; k++) {
-        other[k] -= along * way[k];
-        length2 += other[k] * other[k];
-    }
-    const double distance = (double)uniform(seed, 0.2f, 5.0f), angle = miss * (double)outer;
+    const double distance = (double)uniform(seed, 0.2f, 5.0f);
     const double from[3] = {(double)p.x - distance * way[0], (double)p.y - distance * way[1],
                             (double)p.z - distance * way[2]};
-    for (int k = 0; k < 3; k++)
-        view[k] = cos(angle) * way[k] + sin(angle) * other[k] / sqrt(length2);
+    turn_towards(way, other, miss * (double)outer, view);
     tl_camera_world_point(&g->camera, from, world);
     for (int k = 0; k < 3; k++)
         light.position[k] = (float)world[k];
