@@ -11,8 +11,8 @@
  * turn are these (docs/conventions.md). */
 wide tl_oracle_half_angle(float half_angle);
 
-/* The cosine of the angle between way and axis less that of the half-angle: above 0 in the cone. Neither is
- * of unit length, nor 0. Off by 12v: the product of the two, 3v of their lengths', over these, 3v; 4v of the
+/* The cosine of the angle between way and axis less that of the half-angle: above 0 in the cone. Both are of
+ * any length but 0. Off by 12v: the product of the two, 3v of their lengths', over these, 3v; 4v of the
  * cosine; v of the difference. */
 wide tl_oracle_above_edge(const wide axis[3], wide half_angle, const wide way[3]);
 

@@ -1,5 +1,7 @@
 #include "oracle/falloffs.h"
 
+#include "oracle/cone.h"
+
 wide tl_oracle_linear(wide distance, wide begin, wide range)
 {
     if (distance >= range)
@@ -24,7 +26,7 @@ wide tl_oracle_table(wide distance, wide range, const float *values, size_t coun
 
 static wide cosine_of(float half_angle)
 {
-    return half_angle == 0x1.921fb6p0f ? 0 : cosq(half_angle);
+    return cosq(tl_oracle_half_angle(half_angle));
 }
 
 wide tl_oracle_cone_steepness(float inner, float outer)

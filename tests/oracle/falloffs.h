@@ -18,8 +18,7 @@ wide tl_oracle_inverse_square(wide distance, wide range);
 wide tl_oracle_table(wide distance, wide range, const float *values, size_t count);
 
 /* Of a spot that shines along `axis`, seen from it in direction `way`; both of any length but 0. Half-angles
- * as lights have them: floats, of which that next to pi/2 means pi/2. *below_square becomes the share before
- * it is squared. */
+ * are those of lights (tl_oracle_half_angle). *below_square becomes the share before it is squared. */
 wide tl_oracle_cone(wide3 axis, wide3 way, float inner, float outer, wide *below_square);
 
 /* Of the largest share of a cosine: 1 over what the edge is wide. */
