@@ -133,9 +133,8 @@ static uint64_t show_named(FILE *json)
                (unsigned long long)loss.listing_16, (unsigned long long)loss.mara_mcguire,
                (unsigned long long)loss.ours);
         fprintf(json,
-                "  {\"name\": \"%s\", \"seen\": %llu, \"listing_16\": %llu, \"mara_mcguire\": "
-                "%llu, "
-                "\"ours\": %llu}%s\n",
+                "  {\"name\": \"%s\", \"seen\": %llu, \"listing_16\": %llu, "
+                "\"mara_mcguire\": %llu, \"ours\": %llu}%s\n",
                 name, (unsigned long long)loss.seen, (unsigned long long)loss.listing_16,
                 (unsigned long long)loss.mara_mcguire, (unsigned long long)loss.ours,
                 i + 1 < TL_NAMED_SPHERES ? "," : "");
@@ -194,7 +193,8 @@ int main(int argc, char **argv)
         return NOT_WRITTEN;
     }
     const uint64_t violations = prove(&o, json);
-    if (ferror(json) | fclose(json)) {
+    const int is_broken = ferror(json);
+    if (fclose(json) != 0 || is_broken) {
         fprintf(stderr, "prove_bounds: %s was not written whole: is the disk full?\n", o.json);
         return NOT_WRITTEN;
     }
