@@ -12,8 +12,7 @@ static void assert_clean(const tl_tally *t, const char *what)
 {
     if (tally_violations(t) > 0)
         fail_msg("%s: of %llu cases %llu lost pixels, %llu kept more than one beyond, %llu are "
-                 "empty "
-                 "and should not be, %llu are not and should be",
+                 "empty and should not be, %llu are not and should be",
                  what, (unsigned long long)t->cases, (unsigned long long)t->lost,
                  (unsigned long long)t->extra, (unsigned long long)t->falsely_empty,
                  (unsigned long long)t->falsely_kept);

@@ -16,13 +16,12 @@ static void map_picture(tl_import_options *options, const char *path)
     static const struct {
         tl_import_plane plane;
         const char *channels;
-    } maps[] = {{TL_IMPORT_DEPTH, ""}, {TL_IMPORT_NORMAL, ""}, {TL_IMPORT_ALBEDO, ""}};
+    } maps[] = {{TL_IMPORT_DEPTH, "R"}, {TL_IMPORT_NORMAL, ""}, {TL_IMPORT_ALBEDO, ""}};
     for (size_t i = 0; i < sizeof maps / sizeof maps[0]; i++) {
         tl_import_map *const map = &options->maps[options->map_count++];
         *map = (tl_import_map){.plane = maps[i].plane};
         snprintf(map->file, sizeof map->file, "%s", path);
-        snprintf(map->channels, sizeof map->channels, "%s",
-                 maps[i].plane == TL_IMPORT_DEPTH ? "R" : maps[i].channels);
+        snprintf(map->channels, sizeof map->channels, "%s", maps[i].channels);
     }
 }
 

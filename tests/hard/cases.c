@@ -8,11 +8,9 @@ static const char cone_pixels[] =
 const hard_case hard_cases[] = {
     {1, "camera-inside",
      "A light that the camera is inside of, or that has its centre behind it, has no outline "
-     "to project and is "
-     "skipped or cut.",
+     "to project and is skipped or cut.",
      "The interval of x/depth over the part of the sphere before the near plane; nothing is "
-     "divided by the "
-     "light's depth.",
+     "divided by the light's depth.",
      "playcanvas 4795, korangar 124", sphere_pixels, "centre +- radius/depth",
      hard_camera_inside},
     {2, "small-rectangle",
@@ -30,8 +28,7 @@ const hard_case hard_cases[] = {
      hard_left_tile},
     {5, "far-plane",
      "A light that crosses the far plane or has its centre behind it is culled, or a surface "
-     "on that plane is "
-     "taken for sky.",
+     "on that plane is taken for sky.",
      "Only the part of the sphere before the far plane counts, and no layout stores a surface "
      "as sky.",
      "godot 77112 and 84961, filament 3141 and 4916, bevy 20136",
@@ -57,8 +54,7 @@ const hard_case hard_cases[] = {
      "distance from the axis against the tangent", hard_quarter_turn},
     {10, "cone-sphere", "The sphere around a wide cone grows beyond all bounds, r/(2 cos^2).",
      "Up to 45 degrees the sphere through apex and rim, beyond it that around the rim, never "
-     "more than the "
-     "light's own.",
+     "more than the light's own.",
      "WickedEngine, in its source",
      "rectangles of spots: no larger than their sphere's, with all pixels that are lit",
      "r/(2 cos^2)", hard_cone_sphere},

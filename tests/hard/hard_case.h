@@ -10,9 +10,8 @@
 typedef struct hard_result {
     uint64_t tried, wrong; /* what hard_case.counted says */
     uint64_t usual_wrong;  /* of those that were tried, by hard_case.usual */
-    uint64_t pixels,
-        lost; /* of pictures in all ways, and those with other bits than the picture without
-                              tiles and lists */
+    uint64_t pixels;       /* of pictures in all ways */
+    uint64_t lost;   /* of these, with other bits than the picture without tiles and lists */
     uint64_t beyond; /* pixels beyond what rounding in float may give (tilelight/check.h) */
     /* the largest error against the reference in double, over what is allowed; of pixels where no light
      * hangs on rounding */
