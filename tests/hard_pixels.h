@@ -51,7 +51,7 @@ static inline void place_case(tl_gbuffer *g, tl_light_set *lights, uint32_t i)
     const float scale = camera->projection == TL_PERSPECTIVE ? z : 1.0f;
     const float step = (camera->right - camera->left) / (float)HARD_WIDTH;
     const float place[3] = {(camera->left + ((float)i + 0.5f) * step) * scale,
-                              (camera->top - 0.5f * step) * scale, -z};
+                            (camera->top - 0.5f * step) * scale, -z};
     tl_light light = tl_light_default();
     tl_error err;
 

@@ -10,26 +10,12 @@
 #include "oracle/cone.h"
 
 #include "spot.h"
-#include "spot_cone.h"
 
 static const float half_angles[] = {3e-4f,       0.001f, 0.01f, 0.1f,  0.5f,
                                     0.785398f,   1.2f,   1.5f,  1.57f, 1.57079625f,
                                     1.57079637f, 1.6f,   2.5f,  3.1f,  3.14159274f};
 
 enum { CASES_PER_ANGLE = 60000 };
-
-/* View space is world space. */
-static tl_view_spot spot_of_angle(float outer, const double direction[3])
-{
-    static const double eye[3] = {0, 0, 0}, target[3] = {0, 0, -1}, up[3] = {0, 1, 0};
-    const tl_camera camera = tl_camera_look_at(eye, target, up, 1.0, 1, 1, 0.1, 10.0);
-    tl_light light = tl_light_default();
-    light.type = TL_LIGHT_SPOT;
-    light.outer_cone = outer;
-    for (int i = 0; i < 3; i++)
-        light.direction[i] = (float)direction[i];
-    return tl_spot_cone(&camera, &light);
-}
 
 /* A light, a cone of it, and a position at its edge or anywhere in it. */
 typedef struct edge_case {
@@ -56,7 +42,7 @@ static edge_case edge_case_of(float outer, uint32_t *seed)
             direction[i] = i == 1 ? -1.0 : 0.0;
     random_direction(seed, other);
     turn_towards(direction, other, fabs((double)outer * share + slip), way);
-    out.spot = spot_of_angle(outer, direction);
+    out.spot = tl_test_spot(direction, outer);
     for (int i = 0; i < 3; i++) {
         out.light.position[i] = uniform(seed, -place, place);
         at[i] = (float)((double)out.light.position[i] + (double)distance * way[i]);
@@ -126,7 +112,7 @@ static void what_is_no_number_is_met(void **state)
     const box none = {{NAN, NAN, NAN}, {NAN, NAN, NAN}};
     (void)state;
     for (size_t a = 0; a < COUNT_OF(half_angles); a++) {
-        const tl_view_spot spot = spot_of_angle(half_angles[a], down);
+        const tl_view_spot spot = tl_test_spot(down, half_angles[a]);
         assert_true(cone_meets_box(spot, light, endless));
         assert_true(cone_meets_box(spot, light, none));
     }
@@ -186,7 +172,7 @@ static void few_boxes_are_met_in_vain(void **state)
             float half[3] = {0.5f, 0.5f, 0.5f * cases[k].depth}, bounds[2][3];
             const tl_view_light light = {.range2 = 1.0f};
             random_direction(&seed, direction);
-            const tl_view_spot spot = spot_of_angle(cases[k].outer, direction);
+            const tl_view_spot spot = tl_test_spot(direction, cases[k].outer);
             for (int i = 0; i < 3; i++) {
                 const float middle = uniform(&seed, -1.0f, 1.0f);
                 bounds[0][i] = middle - half[i] * cases[k].size;

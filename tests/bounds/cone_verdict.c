@@ -2,12 +2,23 @@
 
 #include "oracle/cone.h"
 
-#include "spot.h"
 #include "spot_cone.h"
 
 static const wide doubt = 16 * 0x1p-24Q;
 
-/* A cone as kernels take it, and as it is meant. View space is world space. */
+tl_view_spot tl_test_spot(const double direction[3], float half_angle)
+{
+    static const tl_camera camera = {
+        .view_from_world = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+    tl_light light = tl_light_default();
+    light.type = TL_LIGHT_SPOT;
+    light.outer_cone = half_angle;
+    for (int i = 0; i < 3; i++)
+        light.direction[i] = (float)direction[i];
+    return tl_spot_cone(&camera, &light);
+}
+
+/* A cone as kernels take it, and as it is meant. */
 typedef struct cone {
     tl_view_light light;
     tl_view_spot spot;
@@ -16,19 +27,15 @@ typedef struct cone {
 
 static cone cone_of(const tl_cone_case *of)
 {
-    static const tl_camera camera = {
-        .view_from_world = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
-    tl_light light = tl_light_default();
+    const double direction[3] = {(double)of->direction[0], (double)of->direction[1],
+                                 (double)of->direction[2]};
     cone c = {.light = {.range2 = INFINITY},
+              .spot = tl_test_spot(direction, of->half_angle),
               .half_angle = tl_oracle_half_angle(of->half_angle)};
-    light.type = TL_LIGHT_SPOT;
-    light.outer_cone = of->half_angle;
     for (int i = 0; i < 3; i++) {
         c.light.position[i] = of->light[i];
-        light.direction[i] = of->direction[i];
         c.axis[i] = -(wide)of->direction[i];
     }
-    c.spot = tl_spot_cone(&camera, &light);
     return c;
 }
 

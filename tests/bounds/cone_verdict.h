@@ -4,6 +4,11 @@
 
 #include "bounds/cone_families.h"
 
+#include "spot.h"
+
+/* The cone of a spot as kernels take it. View space is world space; direction: of any length. */
+tl_view_spot tl_test_spot(const double direction[3], float half_angle);
+
 /* Adds one case. Looked at are its position and the way of the box that is deepest in the cone, or close to:
  *
  *   hits           the position is in the cone, as kernels compute it

@@ -1,10 +1,9 @@
 #include "bounds/tile_families.h"
 
+#include "bounds/cone_verdict.h"
 #include "bounds/sphere_families.h"
 
 #include "position.h"
-#include "spot.h"
-#include "spot_cone.h"
 #include "tile_rect.h"
 #include "view.h"
 
@@ -155,18 +154,6 @@ static void try_point_at_depth(tl_draws *d, tl_tally *tally)
           !is_hit || holds(tile_rect_of(window_of(&p, 1), &p.frame, p.light), &p));
 }
 
-static tl_view_spot spot_of_direction(const double direction[3], float outer)
-{
-    static const tl_camera camera = {
-        .view_from_world = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
-    tl_light light = tl_light_default();
-    light.type = TL_LIGHT_SPOT;
-    light.outer_cone = outer;
-    for (int i = 0; i < 3; i++)
-        light.direction[i] = (float)direction[i];
-    return tl_spot_cone(&camera, &light);
-}
-
 /* The position is inside of the edge by 1e-8 of the half-angle, or more. */
 static void try_spot_of(tl_draws *d, tl_tally *tally, float outer)
 {
@@ -174,7 +161,7 @@ static void try_spot_of(tl_draws *d, tl_tally *tally, float outer)
     const double inside = draw_magnitude(d, 1e-8, 1e-3);
     const int is_reached = reach_pixel(d, &p, (double)outer * (1.0 - inside));
     const vec3 l = vector_to_light(p.position, p.light);
-    const tl_view_spot spot = spot_of_direction(p.direction, outer);
+    const tl_view_spot spot = tl_test_spot(p.direction, outer);
     const int is_hit = is_reached && in_cone(spot, l, dot3(l, l));
     count(tally, is_hit,
           !is_hit || holds(tile_rect_of_spot(window_of(&p, 0), &p.frame, p.light, spot), &p));
