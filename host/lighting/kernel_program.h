@@ -45,8 +45,8 @@ typedef struct tl_program {
 /* The device's program of a part for these options, built the first time they are asked for. With
  * `user` (NULL, or its text NULL: ours), shade_tiles is the user's kernel. The device owns *out and keeps
  * the 32 programs it was asked for last: *out holds until it is asked for as many others. Fails with
- * TL_ERR_DEVICE, of a user's kernel TL_ERR_FORMAT, the message carrying the compiler's log; TL_ERR_FORMAT
- * or TL_ERR_ARGUMENT of user_kernel.h; TL_ERR_MEMORY. */
+ * TL_ERR_DEVICE, of a user's kernel TL_ERR_FORMAT, the message carrying the compiler's log or saying what
+ * user_kernel.h does; TL_ERR_MEMORY. */
 tl_status tl_program_find(tl_device *device,
                           tl_program_part part,
                           const tl_kernel_options *options,

@@ -102,7 +102,7 @@ typedef enum tl_kernel_items {
 /* A shading kernel of the user's in place of ours; docs/your-kernel.md describes its arguments. */
 typedef struct tl_user_kernel {
     const char *text;  /* OpenCL C, NUL-terminated, after all headers of kernels/. NULL: ours */
-    const char *entry; /* the kernel's name, none of ours */
+    const char *entry; /* the kernel's name */
     tl_kernel_items items;
     const char *file; /* what messages call the text; may be NULL */
 } tl_user_kernel;
