@@ -37,9 +37,8 @@ static error_t parse(int key, char *text, struct argp_state *state)
 static const struct argp_option options_table[] = {
     {"flip", OPTION_FLIP, NULL, 0,
      "Also how visible differences are to somebody who flips between the pictures, 0 to 1 "
-     "(FLIP, "
-     "Andersson et al. 2020). Of radiance the largest over all exposures from that which suits "
-     "its brightest pixel to that which suits its median (Andersson et al. 2021)",
+     "(FLIP, Andersson et al. 2020). Of radiance the largest over all exposures from that "
+     "which suits its brightest pixel to that which suits its median (Andersson et al. 2021)",
      0},
     {"flip-map", OPTION_MAP, "FILE.png", 0,
      "--flip, and where: from dark blue (0) by way of red to yellow (1)", 0},

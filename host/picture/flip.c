@@ -1,6 +1,6 @@
 /* A picture is taken in strips of rows, each with the rows beside it that filters reach, by one
- * thread: memory does not grow with the picture, and each strip goes through all exposures while it
- * is at hand. */
+ * thread: what a thread works in does not grow with the height, and each strip goes through all
+ * exposures while it is at hand. */
 #include "tilelight/flip.h"
 
 #include "flip_color.h"
@@ -67,6 +67,11 @@ static size_t reach_rows(const strip *s)
     return STRIP_ROWS + 2 * (size_t)s->radius;
 }
 
+static size_t result_count(const strip *s)
+{
+    return (size_t)RESULT_COUNT * STRIP_ROWS * s->width;
+}
+
 static int strip_alloc(const flip_job *job, strip *s)
 {
     const int radius = job->filters.eye_radius > job->filters.feature_radius
@@ -74,11 +79,10 @@ static int strip_alloc(const flip_job *job, strip *s)
                            : job->filters.feature_radius;
     *s = (strip){.width = job->pictures[0]->width, .radius = (uint32_t)radius};
     s->stride = s->width + 2 * s->radius;
-    const size_t results = (size_t)RESULT_COUNT * STRIP_ROWS * s->width;
     s->opponent = malloc(3 * reach_rows(s) * s->stride * sizeof(float));
     s->across = malloc(reach_rows(s) * s->width * sizeof(float));
-    s->results[0] = malloc(results * sizeof(float));
-    s->results[1] = malloc(results * sizeof(float));
+    s->results[0] = malloc(result_count(s) * sizeof(float));
+    s->results[1] = malloc(result_count(s) * sizeof(float));
     s->differences = malloc((size_t)STRIP_ROWS * s->width * sizeof(float));
     return s->opponent && s->across && s->results[0] && s->results[1] && s->differences;
 }
@@ -220,10 +224,9 @@ static void add_differences(const flip_job *job, strip *s)
 
 static void compare_at(const flip_job *job, uint32_t top, float scale, strip *s)
 {
-    const size_t results = (size_t)RESULT_COUNT * STRIP_ROWS * s->width;
     for (int i = 0; i < 2; i++) {
         fill_strip(job, job->pictures[i], top, scale, s);
-        memset(s->results[i], 0, results * sizeof(float));
+        memset(s->results[i], 0, result_count(s) * sizeof(float));
         for (int p = 0; p < PASS_COUNT; p++)
             run_pass(&job->passes[p], s, s->results[i]);
     }
@@ -270,12 +273,11 @@ static void compare_strips(void *context, size_t begin, size_t end)
     strip_free(&s);
 }
 
-static void prepare(flip_job *job, double pixels_per_degree)
+/* By the job's filters, into which they point. */
+static void list_passes(flip_job *job)
 {
-    static const flip_color green = {{0.0f, 1.0f, 0.0f}}, blue = {{0.0f, 0.0f, 1.0f}};
     const flip_filters *f = &job->filters;
-    const int eye = (flip_filters_make(pixels_per_degree, &job->filters), f->eye_radius);
-    const int feature = f->feature_radius;
+    const int eye = f->eye_radius, feature = f->feature_radius;
     const pass passes[PASS_COUNT] = {
         {0, SEEN_Y, eye, &f->across_eye[FLIP_LIGHTNESS], &f->down_eye[FLIP_LIGHTNESS]},
         {1, SEEN_X, eye, &f->across_eye[FLIP_RED_GREEN], &f->down_eye[FLIP_RED_GREEN]},
@@ -288,6 +290,13 @@ static void prepare(flip_job *job, double pixels_per_degree)
         {0, POINT_DOWN, feature, &f->smooth, &f->point},
     };
     memcpy(job->passes, passes, sizeof passes);
+}
+
+static void prepare(flip_job *job, double pixels_per_degree)
+{
+    static const flip_color green = {{0.0f, 1.0f, 0.0f}}, blue = {{0.0f, 0.0f, 1.0f}};
+    flip_filters_make(pixels_per_degree, &job->filters);
+    list_passes(job);
     job->most = powf(flip_hyab(flip_hunt_lab(green), flip_hunt_lab(blue)), color_power);
 }
 

@@ -14,6 +14,8 @@ static inline float flip_clamp(float v)
     return v > 0.0f ? (v < 1.0f ? v : 1.0f) : 0.0f; /* NaN is 0 */
 }
 
+static const float flip_white[3] = {0.950428545f, 1.0f, 1.088900371f}; /* XYZ of D65 */
+
 /* Linear Rec. 709 to XYZ over the white point. */
 static inline flip_color flip_white_xyz(flip_color rgb)
 {
@@ -25,18 +27,16 @@ static inline flip_color flip_white_xyz(flip_color rgb)
         {(float)(1425312 / 73733382.0), (float)(8788810 / 73733382.0),
          (float)(70074185 / 73733382.0)},
     };
-    static const float white[3] = {0.950428545f, 1.0f, 1.088900371f};
     flip_color xyz;
     for (int i = 0; i < 3; i++)
         xyz.of[i] =
-            (m[i][0] * rgb.of[0] + m[i][1] * rgb.of[1] + m[i][2] * rgb.of[2]) / white[i];
+            (m[i][0] * rgb.of[0] + m[i][1] * rgb.of[1] + m[i][2] * rgb.of[2]) / flip_white[i];
     return xyz;
 }
 
 /* And back: the inverse of the two. */
 static inline flip_color flip_rgb_of_white_xyz(flip_color xyz)
 {
-    static const float white[3] = {0.950428545f, 1.0f, 1.088900371f};
     static const float m[3][3] = {
         {3.241003275f, -1.537398934f, -0.498615861f},
         {-0.969224334f, 1.875930071f, 0.041554224f},
@@ -44,8 +44,8 @@ static inline flip_color flip_rgb_of_white_xyz(flip_color xyz)
     };
     flip_color rgb;
     for (int i = 0; i < 3; i++)
-        rgb.of[i] = m[i][0] * white[0] * xyz.of[0] + m[i][1] * white[1] * xyz.of[1] +
-                    m[i][2] * white[2] * xyz.of[2];
+        rgb.of[i] = m[i][0] * flip_white[0] * xyz.of[0] + m[i][1] * flip_white[1] * xyz.of[1] +
+                    m[i][2] * flip_white[2] * xyz.of[2];
     return rgb;
 }
 

@@ -13,8 +13,8 @@ static const double shown_as = 0.85;
 
 float flip_tone(float radiance, float scale)
 {
-    const float x =
-        fminf(radiance > 0.0f ? radiance * scale : 0.0f, 16.0f); /* 1 from 12.07 on */
+    /* The curve is 1 from 12.07 on. */
+    const float x = fminf(radiance > 0.0f ? radiance * scale : 0.0f, 16.0f);
     const float y =
         x * ((float)k0 * x + (float)k1) / (x * ((float)k3 * x + (float)k4) + (float)k5);
     return y < 1.0f ? y : 1.0f;
@@ -34,6 +34,7 @@ static int ascending(const void *a, const void *b)
     return (left > right) - (left < right);
 }
 
+/* As far as weighted sums stay finite. */
 static float positive(float v)
 {
     return v > 0.0f ? fminf(v, 3e38f) : 0.0f;
