@@ -17,8 +17,14 @@
 #ifndef TL_LARGEST_H
 #define TL_LARGEST_H
 
-#define TL_FARTHEST 1e18f /* m, each coordinate; where an edge of a perspective camera: per m of depth */
-#define TL_BRIGHTEST 1e30f /* of a light: cd, lx; of emission, ambient light and sky: radiance */
-#define TL_MOST_OF_LIGHT 1e26 /* what the weight of a light and a lobe come to */
+/* m, each coordinate; of an edge of a perspective camera m per m of depth */
+#define TL_FARTHEST 1e18f
+/* Of a light: cd, lx; of emission, ambient light and sky: radiance. */
+#define TL_BRIGHTEST 1e30f
+/* Of a normal, a tangent or a direction, its largest part: squares neither overflow nor vanish in float. */
+#define TL_SHORTEST 1e-18f
+#define TL_LONGEST 1e18f
+/* What the weight of a light and a lobe come to. */
+#define TL_MOST_OF_LIGHT 1e26
 
 #endif

@@ -73,8 +73,8 @@ static int has_no_depth(const scan *s, float depth)
 static int has_no_normal(float nx, float ny, float nz)
 {
     const float most = fmaxf(fabsf(nx), fmaxf(fabsf(ny), fabsf(nz)));
-    return isnan(nx) || isnan(ny) || isnan(nz) || !(most >= TL_SHORTEST_NORMAL) ||
-           !(most <= TL_LONGEST_NORMAL);
+    return isnan(nx) || isnan(ny) || isnan(nz) || !(most >= TL_SHORTEST) ||
+           !(most <= TL_LONGEST);
 }
 
 static void clear_pixel(scan *s, size_t at)

@@ -4,21 +4,16 @@
 #define TL_REPAIR_H
 
 #include "largest.h"
-
 #include "tilelight/gbuffer.h"
 
 #include <math.h>
 #include <stdatomic.h>
 
-/* Squares of lengths within this range neither overflow nor vanish in float. */
-#define TL_SHORTEST_NORMAL 1e-18f
-#define TL_LONGEST_NORMAL 1e18f
-
 /* The largest value that a plane behind the normal may have. */
 static inline float tl_largest_value(int plane)
 {
     return plane == TL_SHININESS    ? 10000.0f
-           : plane >= TL_TANGENT_X  ? TL_LONGEST_NORMAL
+           : plane >= TL_TANGENT_X  ? TL_LONGEST
            : plane == TL_BRDF       ? (float)TL_MAX_MATERIALS
            : plane >= TL_EMISSIVE_R ? TL_BRIGHTEST
                                     : 1.0f;

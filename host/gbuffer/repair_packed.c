@@ -215,7 +215,7 @@ static int has_normal(const tl_layout *layout, const tl_words *words)
     for (int k = 0; k < 3 && a->channels[k].bits > 0; k++)
         if (!is_number(a->channels[k], channel_value(a->channels[k], words)))
             return 0;
-    return most >= TL_SHORTEST_NORMAL && most <= TL_LONGEST_NORMAL;
+    return most >= TL_SHORTEST && most <= TL_LONGEST;
 }
 
 static void clear_channel(tl_words *words, tl_channel c)

@@ -1,5 +1,6 @@
 #include "material_rows.h"
 
+#include "largest.h"
 #include "light_words.h"
 
 #include <stddef.h>
@@ -12,16 +13,13 @@
         name, parameter, count, offsetof(tl_material_row, member), (least), (most) \
     }
 
-/* As far as squares of a direction's numbers neither overflow nor vanish. */
-static const float longest = 1e18f, shortest = 1e-18f;
-
 const tl_material_field tl_material_fields[TL_MATERIAL_FIELD_COUNT] = {
     FIELD("diffuse", TL_TAKES_DIFFUSE, 3, diffuse, 0.0f, 1.0f),
     FIELD("specular", TL_TAKES_SPECULAR, 3, specular, 0.0f, 1.0f),
     FIELD("shininess", TL_TAKES_EXPONENT, 1, exponent, 0.0f, 10000.0f),
     FIELD("roughness", TL_TAKES_ROUGHNESS, 1, roughness, 0.0f, 1.0f),
     FIELD("roughnessAcross", TL_TAKES_ACROSS, 1, across, 0.0f, 1.0f),
-    FIELD("direction", TL_TAKES_DIRECTION, 3, direction, -1e18f, 1e18f),
+    FIELD("direction", TL_TAKES_DIRECTION, 3, direction, -TL_LONGEST, TL_LONGEST),
     FIELD("k", TL_TAKES_K, 1, k, 0.0f, 100.0f),
 };
 
@@ -119,7 +117,7 @@ static tl_status check_range(const tl_light_set *set,
                            (double)field->least, (double)field->most);
         most = values[i] > most ? values[i] : -values[i] > most ? -values[i] : most;
     }
-    if (field->most == longest && !(most >= shortest))
+    if (field->most == TL_LONGEST && !(most >= TL_SHORTEST))
         return tl_fail(err, TL_ERR_FORMAT, "%s: %s: \"%s\" has no length: it points nowhere",
                        source, label.text, field->name);
     return TL_OK;
