@@ -49,8 +49,8 @@ static tl_status check_format(const tl_gltf *gltf,
                    label_of(gltf, image).text);
 }
 
-/* All pixels together must stay below the limit: 8 bytes each once decoded, 11 with mipmaps; and none be out of
- * proportion to its file. */
+/* All pixels together must stay below the limit: 8 bytes each once decoded, 11 with mipmaps; and none be
+ * out of proportion to its file. */
 static tl_status check_size(const tl_model *model, const tl_pixels *wanted, tl_error *err)
 {
     const uint64_t size = (uint64_t)8 * wanted->width * wanted->height;
@@ -58,18 +58,17 @@ static tl_status check_size(const tl_model *model, const tl_pixels *wanted, tl_e
     char where[1280];
     for (size_t i = 0; i < model->pixels_count; i++)
         sum += (uint64_t)8 * model->pixels[i].width * model->pixels[i].height;
-    if (wanted->width <= TL_MAX_IMAGE_EXTENT && wanted->height <= TL_MAX_IMAGE_EXTENT &&
-        sum <= tl_max_texel_bytes) {
-        snprintf(where, sizeof where, "%.1000s: %s", model->gltf->path,
-                 label_of(model->gltf, wanted->image).text);
-        return tl_check_decoded_size(where, wanted->bytes.size, size, err);
-    }
-    return tl_fail(err, TL_ERR_UNSUPPORTED,
-                   "%s: %s with its %u x %u pixels is more than fits: %d per side, and %llu "
-                   "million pixels for all images",
-                   model->gltf->path, label_of(model->gltf, wanted->image).text, wanted->width,
-                   wanted->height, TL_MAX_IMAGE_EXTENT,
-                   (unsigned long long)(tl_max_texel_bytes / 8000000));
+    if (wanted->width > TL_MAX_IMAGE_EXTENT || wanted->height > TL_MAX_IMAGE_EXTENT ||
+        sum > tl_max_texel_bytes)
+        return tl_fail(err, TL_ERR_UNSUPPORTED,
+                       "%s: %s with its %u x %u pixels is more than fits: %d per side, and "
+                       "%llu million pixels for all images",
+                       model->gltf->path, label_of(model->gltf, wanted->image).text,
+                       wanted->width, wanted->height, TL_MAX_IMAGE_EXTENT,
+                       (unsigned long long)(tl_max_texel_bytes / 8000000));
+    snprintf(where, sizeof where, "%.1000s: %s", model->gltf->path,
+             label_of(model->gltf, wanted->image).text);
+    return tl_check_decoded_size(where, wanted->bytes.size, size, err);
 }
 
 static tl_status add_pixels(tl_model *model, const tl_pixels *wanted, tl_error *err)
