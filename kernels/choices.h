@@ -3,9 +3,9 @@
  *
  * Where a choice is open (TL_CHOICES), the section `calls_at` of the lights has a word per light, the bits
  * of what it calls for. A light that does not call for an effect adds the same bits with and without it: the
- * share of a cone that is all of space is exactly 1, a lobe of no colour adds exactly 0, and a light without a
- * shape is lit as where no light has one. So what a tile chooses cannot show, and a tile may compute more than
- * its lights call for.
+ * share of a cone that is all of space is exactly 1, a lobe of no colour adds exactly 0, and a light without
+ * a shape is lit as where no light has one. So what a tile chooses cannot show, and a tile may compute more
+ * than its lights call for.
  *
  * Closed where all lights agree, or --effects all asks for everything: then nothing is looked up. */
 #ifndef TL_CHOICES_H

@@ -11,7 +11,7 @@
 #include "vec3.h"
 
 #define TL_LEAST_ALPHA2 R(0.00019996000799840032) /* 2/10002: exponent 10000 */
-#define TL_DIELECTRIC R(0.04)           /* reflectance at normal incidence, index 1.5 */
+#define TL_DIELECTRIC R(0.04) /* reflectance at normal incidence, index 1.5 */
 
 TL_STRUCT(phong_material)
 {

@@ -35,8 +35,8 @@ typedef struct tl_needs {
     tl_u32 choices; /* what tiles choose for themselves, bits of choices.h */
     /* 1: all surfaces have the exponent of the frame, in place of their own */
     tl_u32 fixed_exponent;
-    tl_u32 shapes;      /* what some light has of it; 0: lights have no shapes */
-    tl_u32 sky;         /* 0: of one colour, frame.sky */
+    tl_u32 shapes; /* what some light has of it; 0: lights have no shapes */
+    tl_u32 sky;    /* 0: of one colour, frame.sky */
 } tl_needs;
 
 #ifdef __OPENCL_C_VERSION__
@@ -93,11 +93,11 @@ enum {
 #endif
 
 /* Whether one of these planes is there and read. */
-#define reads_planes(needs, planes)                                                            \
+#define reads_planes(needs, planes) \
     ((OF_NEEDS(needs, (needs).present & ~(needs).idle, TL_PRESENT & ~TL_IDLE) & (planes)) != 0)
 
 /* Whether the frame's own model has this trait. */
-#define lobe_has(needs, trait)                                                     \
+#define lobe_has(needs, trait) \
     ((OF_NEEDS(needs, traits_of((needs).model), TL_TRAITS_OF_OWN) & (tl_u32)(trait)) != 0)
 
 /* Whether some surface may reflect by one of these models, bits 1 << row. */
@@ -105,7 +105,7 @@ enum {
     ((OF_NEEDS(needs, (needs).models, TL_MODELS_USED) & (which)) != 0)
 
 /* Whether some surface may reflect by a model that has this trait. */
-#define some_lobe_has(needs, trait)                                                      \
+#define some_lobe_has(needs, trait) \
     ((OF_NEEDS(needs, traits_of_any((needs).models), TL_TRAITS_OF_ANY) & (tl_u32)(trait)) != 0)
 
 /* Whether all surfaces reflect by one model. */

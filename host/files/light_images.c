@@ -2,7 +2,6 @@
 #include "light_images.h"
 
 #include "largest.h"
-
 #include "srgb.h"
 #include "tilelight/image.h"
 #include "try.h"

@@ -11,8 +11,9 @@
 tl_status tl_sections_reserve(tl_prepared *prepared, size_t size, tl_error *err);
 
 /* Appends a section of `size` bytes, filled up with zeroes to whole rows, once all lights of the frame are
- * there. *at becomes the row at which it begins, *memory (may be NULL) where that is: zeroes, the caller's to fill until the next section, which may move all of them. Fails with
- * TL_ERR_MEMORY, or TL_ERR_ARGUMENT where rows do not count that far; then there is no such section. */
+ * there. *at becomes the row at which it begins, *memory (may be NULL) where that is: zeroes, the caller's to
+ * fill until the next section, which may move all of them. Fails with TL_ERR_MEMORY, or TL_ERR_ARGUMENT where
+ * rows do not count that far; then there is no such section. */
 tl_status tl_section_add(
     tl_prepared *prepared, size_t size, tl_u32 *at, void **memory, tl_error *err);
 

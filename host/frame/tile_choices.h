@@ -10,8 +10,7 @@ tl_u32 tl_choosable(const tl_needs *needs);
 
 /* Opens the choices that some lights call for and others do not, among the effects that are on: sets
  * needs.choices and frame.calls_at, which stay 0 where there is none. To be called once lights and effects
- * are decided.
- * Fails as tl_section_add does. */
+ * are decided. Fails as tl_section_add does. */
 tl_status tl_choices_open(tl_prepared *prepared, tl_error *err);
 
 #endif

@@ -35,8 +35,8 @@ tl_status tl_bands_light(tl_pass_context *context,
                          tl_error *err);
 
 /* Shades the frame that was lit last once more, from the lists that are there, into an image of its size,
- * by the context's program for shading; *ms is the device's time. Fails with TL_ERR_UNSUPPORTED where it was lit in
- * bands, of whose lists the last alone are there; with TL_ERR_DEVICE or TL_ERR_MEMORY. */
+ * by the context's program for shading; *ms is the device's time. Fails with TL_ERR_UNSUPPORTED where it was
+ * lit in bands, of whose lists the last alone are there; with TL_ERR_DEVICE or TL_ERR_MEMORY. */
 tl_status tl_bands_shade_again(tl_pass_context *context,
                                const tl_gbuffer *gbuffer,
                                tl_image *image,

@@ -22,8 +22,9 @@ tl_status tl_gbuffer_write(const char *path,
  * are checked before anything is allocated by them. The layout is the file's. The caller
  * releases *out with tl_gbuffer_destroy, and *lights with tl_light_set_clear; NULL: the file's
  * lights are not read, whatever is wrong with them. *has_lights (may be NULL) says whether the
- * file brought any. Pixels are as the file has them: see tl_gbuffer_repair. Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED or
- * TL_ERR_MEMORY, naming the file and the channel or attribute. */
+ * file brought any. Pixels are as the file has them: see tl_gbuffer_repair. Fails with
+ * TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED or TL_ERR_MEMORY, naming the file and the
+ * channel or attribute. */
 tl_status tl_gbuffer_read(
     const char *path, tl_gbuffer **out, tl_light_set *lights, bool *has_lights, tl_error *err);
 
