@@ -47,6 +47,7 @@ static void report_counts(job *j, const tl_lighting_counts *c)
                json_pack("{sI sI sI}", "tiles", (json_int_t)c->tile_count, "entries",
                          (json_int_t)c->list_length, "pixel_light_pairs",
                          (json_int_t)c->pair_count));
+    job_report(j, "cut_pixels", json_integer((json_int_t)c->cut_count));
 }
 
 /* Of lights that a file brought, not the user: which shading model came with them, where it is not ours. */
@@ -98,7 +99,6 @@ tl_status job_light(
         TRY(explain_take(j, lighting, &options, &counts, told, err));
     TRY(resolve(j, err));
     report_counts(j, &counts);
-    job_report(j, "cut_pixels", json_integer((json_int_t)counts.cut_count));
     if (counts.first_kernel_s > 0.0)
         j->first_kernel_ms = 1e3 * (counts.first_kernel_s - j->start_s);
     if (counts.shade_wall_ms > 0.0)
