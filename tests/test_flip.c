@@ -290,6 +290,21 @@ static void expect_exposures(const tl_image *reference, const tl_flip *got)
     assert_true(above <= count / 2 && above + 1 >= count / 2);
 }
 
+/* Where the oracle sees more than `want` has, at this exposure, that becomes what it sees. */
+static void see_more(
+    const oracle *o, tl_image *const images[2], int radiance, double exposure, double *want)
+{
+    const picture pictures[2] = {picture_of(images[0], radiance, exposure),
+                                 picture_of(images[1], radiance, exposure)};
+    for (int y = 0; y < pictures[0].height; y++)
+        for (int x = 0; x < pictures[0].width; x++) {
+            double *w = &want[(size_t)y * (size_t)pictures[0].width + (size_t)x];
+            *w = fmax(*w, flip_at(o, pictures, x, y));
+        }
+    free(pictures[0].opponent);
+    free(pictures[1].opponent);
+}
+
 static void compare_with_oracle(size_t which)
 {
     const int radiance = cases[which].radiance;
@@ -314,15 +329,7 @@ static void compare_with_oracle(size_t which)
             exposures > 1 ? got.first_exposure +
                                 e * (got.last_exposure - got.first_exposure) / (exposures - 1)
                           : 0.0;
-        const picture pictures[2] = {picture_of(images[0], radiance, exposure),
-                                     picture_of(images[1], radiance, exposure)};
-        for (int y = 0; y < (int)height; y++)
-            for (int x = 0; x < (int)width; x++) {
-                double *w = &want[(size_t)y * width + (size_t)x];
-                *w = fmax(*w, flip_at(&o, pictures, x, y));
-            }
-        free(pictures[0].opponent);
-        free(pictures[1].opponent);
+        see_more(&o, images, radiance, exposure, want);
     }
     double worst = 0.0, mean = 0.0, largest = 0.0;
     for (size_t i = 0; i < (size_t)width * height; i++) {

@@ -1,9 +1,9 @@
 /* Is a position from stored depth as exact as kernels/depth_code.h derives, in every convention and under
  * every camera, and does the textbook form fail there?
  *
- * tests/oracle/depth_buffer.h has the definitions of the conventions. Bounds have two parts: how far the number
- * that is stored may be from the surface, half a step of it, and what reading that number in float may add, a
- * few u of the depth whatever far/near is. The second is what the form decides. */
+ * tests/oracle/depth_buffer.h has the definitions of the conventions. Bounds have two parts: how far the
+ * number that is stored may be from the surface, half a step of it, and what reading that number in float may
+ * add, a few u of the depth whatever far/near is. The second is what the form decides. */
 #include "layout_frames.h"
 
 #include "packing.h"

@@ -413,8 +413,8 @@ static void the_device_agrees(void **state)
     tl_gbuffer_destroy(g);
 }
 
-/* Together, in the peak of a narrow lobe: the light that comes is infinite, and the pixel has the largest float,
- * but not where it reflects nothing; and it is counted, and told of. */
+/* Together, in the peak of a narrow lobe: the light that comes is infinite, and the pixel has the largest
+ * float, but not where it reflects nothing; and it is counted, and told of. */
 static void what_is_beyond_floats_is_cut_and_counted(void **state)
 {
     static const tl_precision precisions[] = {TL_PRECISION_REFERENCE, TL_PRECISION_TWIN};

@@ -1,7 +1,8 @@
 /* Does tl_sphere_bounds keep every pixel whose ray meets the sphere, and at most one more per side? And do
  * textbooks' bounds not?
  *
- * tests/oracle/sphere.h says what is met, tests/bounds/ has the cases; scripts/prove-bounds tries many more. */
+ * tests/oracle/sphere.h says what is met, tests/bounds/ has the cases; scripts/prove-bounds tries many
+ * more. */
 #include "testing.h"
 
 #include "bounds/named_losses.h"

@@ -1,8 +1,8 @@
-/* Any camera, any surfaces, any lights that pass the checks: does culling ever lose a light that a pixel is lit
- * by, and is any value of the picture no number?
+/* Any camera, any surfaces, any lights that pass the checks: does culling ever lose a light that a pixel is
+ * lit by, and is any value of the picture no number?
  *
- * Tiles are bounded, and their lists made, from the formulas of the kernels, in float; pixels lit by the lists
- * of their tiles must have the bits of pixels lit by every light. */
+ * Tiles are bounded, and their lists made, from the formulas of the kernels, in float; pixels lit by the
+ * lists of their tiles must have the bits of pixels lit by every light. */
 #include "fuzz.h"
 #include "fuzz_frame.h"
 #include "packing.h"

@@ -1,4 +1,5 @@
-/* G-buffers of tilelight's own, in every layout, with lights inside: does any file do more than be refused? */
+/* G-buffers of tilelight's own, in every layout, with lights inside: does any file do more than be
+ * refused? */
 #include "fuzz.h"
 #include "fuzz_frame.h"
 

@@ -1,5 +1,6 @@
-/* glTF scenes: does any file do more than be refused, and is what goes to OpenGL what it takes: numbers that are
- * finite, indices of what is there? Files of odd length are looked at in the middle of their animation. */
+/* glTF scenes: does any file do more than be refused, and is what goes to OpenGL what it takes: numbers that
+ * are finite, indices of what is there? Files of odd length are looked at in the middle of their
+ * animation. */
 #include "fuzz.h"
 #include "model.h"
 
