@@ -4,12 +4,19 @@
 
 and the words around them are written by hand.
 """
+import os
 import pathlib
 import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 PLACE = re.compile(r"(<!-- begin: (\w+) -->\n).*?(<!-- end: \2 -->)", re.S)
+# What a word of a form stands for, and whether a path is one; other words stand for any text.
+PATHS = {
+    "PROGRAM": ("program", lambda path: os.path.isfile(path) and os.access(path, os.X_OK)),
+    "BUILD": ("folder of a build", lambda path: os.path.isfile(os.path.join(path, "CMakeCache.txt"))),
+    "FILE": ("file", os.path.isfile),
+}
 
 
 def keep(page, parts, check):
@@ -34,3 +41,28 @@ def table(heading, rows, rule="---"):
 
 def thousands(number):
     return "{:,}".format(number)
+
+
+def fits(word, given):
+    return given == word if word.startswith("-") else not given.startswith("-")
+
+
+def check_path(word, given):
+    what, is_one = PATHS.get(word, ("", lambda path: True))
+    if not is_one(given):
+        raise SystemExit("%s: %s is no %s." % (pathlib.Path(sys.argv[0]).name, given, what))
+
+
+def arguments(doc, *forms):
+    """The words behind the script's name, which are of one of the forms: an option is itself there, any other
+    word something that is no option. --help prints doc, and so does what has no such form, with status 1."""
+    given = sys.argv[1:]
+    if given in (["--help"], ["-h"]):
+        print(doc.strip())
+        raise SystemExit(0)
+    for form in map(str.split, forms):
+        if len(form) == len(given) and all(map(fits, form, given)):
+            for word, text in zip(form, given):
+                check_path(word, text)
+            return given
+    raise SystemExit(doc.strip())
