@@ -87,8 +87,8 @@ static tl_status check_numbers(const tl_light *light,
         {"diffuse", light->diffuse, 0.0f, TL_BRIGHTEST},
         {"specular", light->specular, 0.0f, TL_BRIGHTEST},
         {"ambient", light->ambient, 0.0f, TL_BRIGHTEST},
-        {"innerConeAngle", light->inner_cone, 0.0f, light->outer_cone},
         {"outerConeAngle", light->outer_cone, 0.0f, pi},
+        {"innerConeAngle", light->inner_cone, 0.0f, light->outer_cone},
     };
     for (size_t i = 0; i < sizeof rules / sizeof rules[0]; i++) {
         const tl_status status = check_rule(&rules[i], index, light, source, err);

@@ -113,7 +113,8 @@ static tl_status read_field(
         return read_numbers(path, name, value, 3, to, err);
     *to = json_number_value(value);
     if (!json_is_number(value) || !(*to > 0.0) || !(*to <= 1e30))
-        return tl_fail(err, TL_ERR_FORMAT, "%s: \"%s\" must be a number above 0", path, name);
+        return tl_fail(err, TL_ERR_FORMAT, "%s: \"%s\" must be a number above 0, up to 1e30",
+                       path, name);
     return TL_OK;
 }
 
