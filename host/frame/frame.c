@@ -205,10 +205,14 @@ static void name_empty_cones(const tl_light_set *lights, const tl_notices *notic
         if (!tl_spot_is_empty(light))
             continue;
         count++;
-        if (length < sizeof names - 80)
-            length += (size_t)snprintf(names + length, sizeof names - length, "%s%s",
-                                       length ? ", " : "",
-                                       light->name[0] ? light->name : "(no name)");
+        if (length >= sizeof names - 80)
+            continue;
+        if (length > 0)
+            length += (size_t)snprintf(names + length, sizeof names - length, ", ");
+        length +=
+            light->name[0]
+                ? (size_t)snprintf(names + length, sizeof names - length, "%s", light->name)
+                : (size_t)snprintf(names + length, sizeof names - length, "lights[%zu]", i);
     }
     if (count > 0)
         tl_notice(notices, "%zu spot light%s nothing, the outer cone being too narrow: %s%s",

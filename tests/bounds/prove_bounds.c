@@ -178,10 +178,11 @@ int main(int argc, char **argv)
         }
         const char *value = i + 1 < argc ? argv[i + 1] : "";
         if (!read_option(argv[i], value, &o)) {
-            fprintf(stderr,
-                    "prove_bounds: \"%s %s\" is no option, or not a value in its range: --help "
-                    "tells which there are.\n",
-                    argv[i], value);
+            fprintf(
+                stderr,
+                "prove_bounds: \"%s%s%s\" is no option, or not a value in its range: --help "
+                "tells which there are.\n",
+                argv[i], *value ? " " : "", value);
             return WRONG_USE;
         }
     }
