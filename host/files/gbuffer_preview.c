@@ -1,9 +1,10 @@
 #include "gbuffer_preview.h"
 
+#include "ranges.h"
+
 #include <math.h>
 
 enum { SPAN = 128 /* pixels that are unpacked at a time, 5 kB */ };
-static const float largest_half = 65504.0f;
 
 /* Pixels in full float, one after another. */
 typedef struct span {
@@ -53,7 +54,7 @@ static void compute_preview(const tl_camera *camera,
         for (uint32_t i = 0; i < count; i++) {
             const float sent = from->emissive[c] ? from->emissive[c][i] : 0.0f;
             const float value = from->albedo[c][i] * rows[3][i] + sent;
-            const float kept = value < largest_half ? value : largest_half;
+            const float kept = value < TL_MOST_HALF ? value : TL_MOST_HALF;
             rows[c][i] = from->depth[i] < INFINITY ? kept : 0.0f;
         }
     for (uint32_t i = 0; i < count; i++)
