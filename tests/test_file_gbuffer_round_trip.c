@@ -4,6 +4,7 @@
 #include "file_cases.h"
 
 #include "tilelight/gbuffer_file.h"
+#include "tilelight/layouts.h"
 
 static const struct {
     uint32_t width, height;
@@ -71,6 +72,60 @@ static void sizes_and_planes(void **state)
                      plane_sets[p]);
             assert_round_trip(name, &camera, plane_sets[p]);
         }
+}
+
+/* An attribute of the header: its name, its type, its size, and the number that OpenEXR gives the kind. */
+static int compression_of(const char *path)
+{
+    static const char name[] = "compression\0compression\0\1\0\0\0";
+    static char text[8192];
+    FILE *file = fopen(path, "rb");
+    assert_non_null(file);
+    const size_t size = fread(text, 1, sizeof text, file);
+    fclose(file);
+    for (size_t i = 0; i + sizeof name < size; i++)
+        if (memcmp(text + i, name, sizeof name - 1) == 0)
+            return text[i + sizeof name - 1];
+    fail_msg("%s says no compression", path);
+    return -1;
+}
+
+/* OpenEXR's numbers are in the order of the table. Packed halves are what b44 and b44a lose bits of, floats
+ * pxr24. */
+static void compressions_keep_what_they_say(void **state)
+{
+    static const bool is_exact[] = {
+#define IS_EXACT(name, word, exact, meaning) [name] = exact,
+        TL_COMPRESSIONS(IS_EXACT)
+#undef IS_EXACT
+    };
+    tl_camera camera = awkward_camera(65, 77);
+    char path[512];
+    tl_error err;
+    tl_gbuffer *full = NULL, *packed = NULL;
+    (void)state;
+    scratch_path(path, sizeof path, "compressed.exr");
+    camera.far = 1e4f; /* of a depth that the layout can say */
+    ASSERT_OK(tl_gbuffer_create(&camera, TL_GROUP_BASE | TL_GROUP_PHONG, &full, &err), err);
+    fill_awkward(full, 1);
+    ASSERT_OK(tl_gbuffer_repair(full, "full", false, NULL, &err), err);
+    ASSERT_OK(tl_gbuffer_pack(full, TL_LAYOUT_ISPC, &packed, NULL, &err), err);
+    for (int c = 0; c < TL_COMPRESSION_COUNT; c++) {
+        const tl_gbuffer *written = c == TL_COMPRESSION_PXR24 ? full : packed;
+        const size_t size =
+            (size_t)written->rows * written->pitch * tl_gbuffer_pixel_size(written);
+        tl_gbuffer *read = NULL;
+        ASSERT_OK(tl_gbuffer_write_compressed(path, written, NULL, (tl_compression)c, &err),
+                  err);
+        ASSERT_OK(tl_gbuffer_read(path, &read, NULL, NULL, &err), err);
+        assert_int_equal(compression_of(path), c);
+        if ((memcmp(read->planes, written->planes, size) == 0) != is_exact[c])
+            fail_msg("compression %d: bits %s", c, is_exact[c] ? "are lost" : "are kept");
+        tl_gbuffer_destroy(read);
+    }
+    remove(path);
+    tl_gbuffer_destroy(packed);
+    tl_gbuffer_destroy(full);
 }
 
 /* Names of any bytes that text can hold; none where there are none. */
@@ -211,6 +266,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sizes_and_planes),
+        cmocka_unit_test(compressions_keep_what_they_say),
         cmocka_unit_test(samples_of_a_pixel),
         cmocka_unit_test(names_of_materials),
         cmocka_unit_test(an_index_is_a_whole_number_in_the_file),

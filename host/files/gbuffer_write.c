@@ -123,10 +123,22 @@ static size_t list_channels(source *from,
     return count;
 }
 
-tl_status tl_gbuffer_write(const char *path,
-                           const tl_gbuffer *gbuffer,
-                           const tl_light_set *lights,
-                           tl_error *err)
+static const exr_compression_t compressions[TL_COMPRESSION_COUNT] = {
+    [TL_COMPRESSION_NONE] = EXR_COMPRESSION_NONE,
+    [TL_COMPRESSION_RLE] = EXR_COMPRESSION_RLE,
+    [TL_COMPRESSION_ZIPS] = EXR_COMPRESSION_ZIPS,
+    [TL_COMPRESSION_ZIP] = EXR_COMPRESSION_ZIP,
+    [TL_COMPRESSION_PIZ] = EXR_COMPRESSION_PIZ,
+    [TL_COMPRESSION_PXR24] = EXR_COMPRESSION_PXR24,
+    [TL_COMPRESSION_B44] = EXR_COMPRESSION_B44,
+    [TL_COMPRESSION_B44A] = EXR_COMPRESSION_B44A,
+};
+
+tl_status tl_gbuffer_write_compressed(const char *path,
+                                      const tl_gbuffer *gbuffer,
+                                      const tl_light_set *lights,
+                                      tl_compression compression,
+                                      tl_error *err)
 {
     tl_status status = TL_OK;
     tl_exr_writer writer = {.stream.context = NULL};
@@ -143,12 +155,20 @@ tl_status tl_gbuffer_write(const char *path,
                                     .compute = compute_rows,
                                     .context = &from};
 
-    TRY(tl_exr_writer_begin(&writer, path, picture.width, picture.height, EXR_COMPRESSION_NONE,
-                            err));
+    TRY(tl_exr_writer_begin(&writer, path, picture.width, picture.height,
+                            compressions[compression], err));
     TRY(set_attributes(&writer.stream, gbuffer, lights, err));
     TRY(tl_exr_writer_pixels(&writer, &picture, err));
     TRY(tl_exr_writer_commit(&writer, err));
 done:
     tl_exr_writer_abandon(&writer);
     return status;
+}
+
+tl_status tl_gbuffer_write(const char *path,
+                           const tl_gbuffer *gbuffer,
+                           const tl_light_set *lights,
+                           tl_error *err)
+{
+    return tl_gbuffer_write_compressed(path, gbuffer, lights, TL_COMPRESSION_NONE, err);
 }

@@ -9,10 +9,36 @@
 extern "C" {
 #endif
 
+/* How OpenEXR files are compressed: what its C library can write, which is all but DWAA and DWAB.
+ * X(name, word, whether every number comes back bit for bit, meaning) */
+#define TL_COMPRESSIONS(X)                                                                     \
+    X(TL_COMPRESSION_NONE, "none", true, "numbers as they are")                                \
+    X(TL_COMPRESSION_RLE, "rle", true, "runs of equal bytes, a row at a time")                 \
+    X(TL_COMPRESSION_ZIPS, "zips", true, "zlib, a row at a time")                              \
+    X(TL_COMPRESSION_ZIP, "zip", true, "zlib, 16 rows at a time")                              \
+    X(TL_COMPRESSION_PIZ, "piz", true, "wavelets and Huffman's code, 32 rows at a time")       \
+    X(TL_COMPRESSION_PXR24, "pxr24", false, "zlib of floats that are rounded to 24 bits")      \
+    X(TL_COMPRESSION_B44, "b44", false, "4 x 4 halves in 14 bytes; what is no half as it is")  \
+    X(TL_COMPRESSION_B44A, "b44a", false, "the same, and 3 bytes where all 16 are of one value")
+
+typedef enum tl_compression {
+#define TL_COMPRESSION_NAME(name, word, exact, meaning) name,
+    TL_COMPRESSIONS(TL_COMPRESSION_NAME)
+#undef TL_COMPRESSION_NAME
+        TL_COMPRESSION_COUNT
+} tl_compression;
+
 /* Writes the G-buffer, in its layout, with a preview in R, G, B, A, and `lights` (may be NULL)
- * inside, on all threads, uncompressed. Under a temporary name beside `path`, synced, then
+ * inside, on all threads. Under a temporary name beside `path`, synced, then
  * renamed: whatever happens, `path` is the old file, the new one, or absent. Fails with
  * TL_ERR_WRITE or TL_ERR_MEMORY. */
+tl_status tl_gbuffer_write_compressed(const char *path,
+                                      const tl_gbuffer *gbuffer,
+                                      const tl_light_set *lights,
+                                      tl_compression compression,
+                                      tl_error *err);
+
+/* The same with TL_COMPRESSION_NONE. */
 tl_status tl_gbuffer_write(const char *path,
                            const tl_gbuffer *gbuffer,
                            const tl_light_set *lights,
