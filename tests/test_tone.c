@@ -171,6 +171,42 @@ static void brighter_is_never_darker(void **state)
     }
 }
 
+/* What is shown before rounding is what codes are rounded from: half a code off at most, or less than a
+ * whole one up to it where a curve cuts. Floats of 0 to 1 add 2^-24 of 255 codes: 1.6e-5. */
+static void codes_are_rounded_from_what_is_shown(void **state)
+{
+    enum { SIDE = 64 };
+    static const double slack = 2e-5;
+    static uint8_t codes[3 * SIDE * SIDE];
+    tl_image *image = NULL;
+    tl_error err;
+    (void)state;
+    for (size_t s = 0; s < COUNT_OF(settings); s++) {
+        ASSERT_OK(tl_image_create(SIDE, SIDE, &image, &err), err);
+        for (uint32_t i = 0; i < SIDE * SIDE; i++) {
+            const uint32_t bits = (uint32_t)((uint64_t)0x7f800000 * i / (SIDE * SIDE - 1));
+            for (unsigned c = 0; c < 3; c++)
+                memcpy(&tl_image_plane(image, c)[i / SIDE * image->pitch + i % SIDE], &bits,
+                       sizeof bits);
+        }
+        tl_image_plane(image, 1)[0] = NAN;
+        tl_image_plane(image, 2)[0] = -1.0f;
+        tl_image_to_rgb8(image, settings[s].exposure, settings[s].look, codes);
+        tl_image_to_screen(image, settings[s].exposure, settings[s].look);
+        for (uint32_t i = 0; i < 3 * SIDE * SIDE; i++) {
+            const uint32_t x = i / 3 % SIDE, y = i / 3 / SIDE;
+            const double shown =
+                255.0 * (double)tl_image_plane(image, i % 3)[y * image->pitch + x];
+            const int cuts = settings[s].look.curve == TL_CURVE_GAMMA_22;
+            const double above = shown - codes[i];
+            if (!(above >= (cuts ? 0.0 : -0.5) - slack && above <= (cuts ? 1.0 : 0.5) + slack))
+                fail_msg("%s: pixel %u, %u shows %.7f, its code is %d", settings[s].name, x, y,
+                         shown, codes[i]);
+        }
+        tl_image_destroy(image);
+    }
+}
+
 static void special_values_are_black_or_white(void **state)
 {
     static const float specials[] = {NAN,    -NAN,      0.0f,     -0.0f,   -1.0f,
@@ -285,6 +321,7 @@ int main(void)
         cmocka_unit_test(every_threshold_is_exact),
         cmocka_unit_test(published_values_come_out),
         cmocka_unit_test(brighter_is_never_darker),
+        cmocka_unit_test(codes_are_rounded_from_what_is_shown),
         cmocka_unit_test(special_values_are_black_or_white),
         cmocka_unit_test(auto_exposure_brings_the_log_average_to_grey),
         cmocka_unit_test(threads_change_nothing),

@@ -1,12 +1,11 @@
 #include "ramp.h"
 
-#include <math.h>
+#include "srgb.h"
 
 /* Value in [0, 1] to a code: IEC 61966-2-1. */
 static uint8_t srgb_code(double linear)
 {
-    const double v =
-        linear <= 0.0031308 ? 12.92 * linear : 1.055 * pow(linear, 1.0 / 2.4) - 0.055;
+    const double v = tl_srgb_from_linear(linear);
     const double cut = v < 0.0 ? 0.0 : v > 1.0 ? 1.0 : v;
     return (uint8_t)lrint(255.0 * cut);
 }

@@ -10,4 +10,10 @@ static inline double tl_linear_from_srgb(double encoded)
     return encoded <= 0.04045 ? encoded / 12.92 : pow((encoded + 0.055) / 1.055, 2.4);
 }
 
+/* And back. */
+static inline double tl_srgb_from_linear(double linear)
+{
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * pow(linear, 1.0 / 2.4) - 0.055;
+}
+
 #endif

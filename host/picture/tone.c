@@ -10,6 +10,7 @@
 #include "tilelight/camera.h"
 #include "tilelight/image.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -64,6 +65,17 @@ static double (*const linear_from[TL_CURVE_COUNT])(double) = {
     [TL_CURVE_GAMMA_22] = linear_from_gamma_22,
 };
 
+/* The same the other way. */
+static double gamma_22_from_linear(double linear)
+{
+    return pow(linear, 1.0 / 2.2);
+}
+
+static double (*const from_linear[TL_CURVE_COUNT])(double) = {
+    [TL_CURVE_SRGB] = tl_srgb_from_linear,
+    [TL_CURVE_GAMMA_22] = gamma_22_from_linear,
+};
+
 static const double roundings[TL_CURVE_COUNT] = {
 #define CURVE_ROUNDING(name, word, rounding, source) [name] = rounding,
     TL_CURVES(CURVE_ROUNDING)
@@ -115,10 +127,14 @@ static unsigned count_from(const encoder *e, unsigned code, float radiance)
     return code;
 }
 
+static double scale_of(float exposure)
+{
+    return exp2(fmax(-most_exposure, fmin(most_exposure, (double)exposure)));
+}
+
 static void encoder_prepare(encoder *e, float exposure, tl_look look)
 {
-    const double stops = fmax(-most_exposure, fmin(most_exposure, (double)exposure));
-    const double scale = exp2(stops);
+    const double scale = scale_of(exposure);
     unsigned code = 0;
     e->thresholds[0] = 0.0f;
     for (unsigned i = 1; i < CODES; i++)
@@ -163,6 +179,32 @@ void tl_image_to_rgb8(const tl_image *image, float exposure, tl_look look, uint8
     encode_job job = {image, &e, rgb};
     encoder_prepare(&e, exposure, look);
     tl_parallel(image->height, ROWS_PER_SUM, encode_rows, &job);
+}
+
+typedef struct screen_job {
+    tl_image *image;
+    double scale;
+    tl_look look;
+} screen_job;
+
+static void show_rows(void *context, size_t begin, size_t end)
+{
+    const screen_job *job = context;
+    const tl_image *image = job->image;
+    for (size_t i = 3 * begin; i < 3 * end; i++) {
+        float *row = image->planes + (i / 3 + i % 3 * image->rows) * image->pitch;
+        for (size_t x = 0; x < image->width; x++) {
+            const double radiance =
+                row[x] > 0.0f ? fmin((double)row[x] * job->scale, DBL_MAX) : 0.0;
+            row[x] = (float)from_linear[job->look.curve](tones[job->look.tone](radiance));
+        }
+    }
+}
+
+void tl_image_to_screen(tl_image *image, float exposure, tl_look look)
+{
+    screen_job job = {image, scale_of(exposure), look};
+    tl_parallel(image->height, ROWS_PER_SUM, show_rows, &job);
 }
 
 /* Each entry of sums is one thread's at a time, and they are added in order: the result does not

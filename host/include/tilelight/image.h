@@ -86,6 +86,10 @@ float tl_image_auto_exposure(const tl_image *image);
  * fail. */
 void tl_image_to_rgb8(const tl_image *image, float exposure, tl_look look, uint8_t *rgb);
 
+/* The same before it is rounded: every value becomes what the curves make of it, 0 to 1, of which the
+ * codes are 255 times. In place. On all threads. Cannot fail. */
+void tl_image_to_screen(tl_image *image, float exposure, tl_look look);
+
 /* Atomic writers, as tl_gbuffer_write. OpenEXR: channels R, G, B, linear; half is zip-compressed
  * at a low level, and what is above 65504, the largest half, is that; float is not compressed: zip
  * takes some 80 times the processor time for 43 % fewer bytes. A PNG says by which curve its codes are.
