@@ -12,7 +12,7 @@ typedef struct worker {
     tl_image *image;
     double frame_now, processor_now; /* ms, of the last frame */
     tl_lighting_counts counts;
-    tl_samples frame_ms, processor_ms, shade_ms;
+    tl_samples frame_ms, processor_ms, cull_ms, shade_ms;
 } worker;
 
 static tl_status begin(worker *w, tl_device *device, const tl_frame_side *side, tl_error *err)
@@ -42,6 +42,7 @@ static tl_status sample(worker *w, tl_error *err)
     TRY(light(w, err));
     TRY(tl_samples_add(&w->frame_ms, w->frame_now, err));
     TRY(tl_samples_add(&w->processor_ms, w->processor_now, err));
+    TRY(tl_samples_add(&w->cull_ms, w->counts.device_cull_ms, err));
     TRY(tl_samples_add(&w->shade_ms, w->counts.device_shade_ms, err));
 done:
     return status;
@@ -84,6 +85,7 @@ static void end(worker *w)
     tl_image_destroy(w->image);
     tl_samples_clear(&w->frame_ms);
     tl_samples_clear(&w->processor_ms);
+    tl_samples_clear(&w->cull_ms);
     tl_samples_clear(&w->shade_ms);
 }
 
@@ -108,6 +110,7 @@ tl_status tl_frame_ratio_measure(tl_device *device,
     for (int i = 0; i < 2; i++) {
         made.frame_ms[i] = tl_samples_summarize(&workers[i].frame_ms);
         made.processor_ms[i] = tl_samples_summarize(&workers[i].processor_ms);
+        made.cull_ms[i] = tl_samples_summarize(&workers[i].cull_ms);
         made.shade_ms[i] = tl_samples_summarize(&workers[i].shade_ms);
         made.counts[i] = workers[i].counts;
     }

@@ -18,7 +18,8 @@ typedef struct tl_frame_ratio {
     tl_summary processor_ratio;
     tl_summary frame_ms[2];     /* tl_lighting_run, wall time */
     tl_summary processor_ms[2]; /* processor time that the process took for it */
-    tl_summary shade_ms[2];     /* of that, the kernel, from profiling events */
+    tl_summary cull_ms[2];      /* of that, the culling kernels, from profiling events */
+    tl_summary shade_ms[2];     /* and the shading kernel */
     tl_lighting_counts counts[2];
     int same_bits; /* 1: both pictures have the same bits */
 } tl_frame_ratio;

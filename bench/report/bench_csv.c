@@ -1,30 +1,12 @@
 #define _POSIX_C_SOURCE 200809L
 #include "bench_csv.h"
 
+#include "csv_values.h"
+
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-
-static void print_text(FILE *out, const char *text)
-{
-    if (!strpbrk(text, ",\"\n")) {
-        fputs(text, out);
-        return;
-    }
-    fputc('"', out);
-    for (; *text; text++)
-        fprintf(out, *text == '"' ? "\"\"" : "%c", *text);
-    fputc('"', out);
-}
-
-static void print_number(FILE *out, double value)
-{
-    fputc(',', out);
-    if (isfinite(value))
-        fprintf(out, "%.9g", value);
-}
 
 static void print_names(FILE *out)
 {
@@ -54,40 +36,40 @@ static void print_packing(FILE *out, const tl_bench_record *r)
     const double errors[] = {d->relative_max, d->relative_p999, d->relative_rms,
                              d->relative_mean};
     fprintf(out, ",%u", r->pixel_bytes);
-    print_number(out, r->turns.frame.count ? r->turns.pixel_bytes : (double)NAN);
+    tl_csv_number(out, r->turns.frame.count ? r->turns.pixel_bytes : (double)NAN);
     for (int i = 0; i < tl_bench_ratio_count; i++) {
         const tl_summary *s = tl_bench_time_of(&tl_bench_ratios[i], r);
         const double values[] = {s->median, s->interval.low, s->interval.high};
         for (size_t k = 0; k < sizeof values / sizeof values[0]; k++)
-            print_number(out, s->count ? values[k] : (double)NAN);
+            tl_csv_number(out, s->count ? values[k] : (double)NAN);
     }
     for (size_t k = 0; k < sizeof errors / sizeof errors[0]; k++)
-        print_number(out, r->error.is_known ? errors[k] : (double)NAN);
+        tl_csv_number(out, r->error.is_known ? errors[k] : (double)NAN);
 }
 
 static void print_record(FILE *out, const tl_bench_record *r)
 {
     for (int axis = 0; axis < TL_AXIS_COUNT; axis++) {
-        print_text(out, r->of.words[axis]);
+        tl_csv_text(out, r->of.words[axis]);
         fputc(',', out);
     }
-    print_text(out, r->device.name);
+    tl_csv_text(out, r->device.name);
     fprintf(out, ",%zu", r->frame_ms.count);
     for (int i = 0; i < tl_bench_time_count; i++) {
         const tl_summary *s = tl_bench_time_of(&tl_bench_times[i], r);
         const double values[] = {s->median, s->interval.low, s->interval.high, s->least,
                                  s->p90};
         for (size_t k = 0; k < sizeof values / sizeof values[0]; k++)
-            print_number(out, values[k]);
+            tl_csv_number(out, values[k]);
     }
-    print_number(out, r->shade_processors.median);
-    print_number(out, r->first_ms);
-    print_number(out, r->build_ms);
+    tl_csv_number(out, r->shade_processors.median);
+    tl_csv_number(out, r->first_ms);
+    tl_csv_number(out, r->build_ms);
     fprintf(out, ",%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64, r->counts.pair_count,
             r->pairs.in_range, r->pairs.lit, r->counts.device_bytes);
     print_packing(out, r);
     for (int i = 0; i < tl_figure_count; i++)
-        print_number(out, tl_figures[i].of(r));
+        tl_csv_number(out, tl_figures[i].of(r));
     fputc('\n', out);
 }
 
