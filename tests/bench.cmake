@@ -11,6 +11,14 @@ target_include_directories(test_bench_capture PRIVATE ${PROJECT_SOURCE_DIR}/host
 tl_test(test_command_bench command tl_base PkgConfig::JANSSON)
 add_dependencies(test_command_bench tilelight)
 
+# The study: tests of what it says, whatever the times are.
+tl_test(test_study_plan unit tl_study)
+tl_test(test_study_front unit tl_study)
+tl_test(test_study_json unit tl_study)
+tl_test(test_study_run device tl_study)
+tl_test(test_command_study command tl_base PkgConfig::JANSSON)
+add_dependencies(test_command_study tilelight)
+
 # Is every figure on the page of performance what the committed reports say?
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 add_test(NAME performance_page_is_made

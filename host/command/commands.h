@@ -11,6 +11,7 @@ int command_check(int argc, char **argv);
 int command_convert(int argc, char **argv);
 int command_scatter(int argc, char **argv);
 int command_bench(int argc, char **argv);
+int command_study(int argc, char **argv);
 int command_compare(int argc, char **argv);
 int command_info(int argc, char **argv);
 int command_devices(int argc, char **argv);

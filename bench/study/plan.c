@@ -1,0 +1,172 @@
+#include "plan.h"
+
+#include "try.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_CONFIGS = 10000, MOST_LIST = 1024 };
+
+/* Words together, each with what it is hoped to show. */
+static const tl_study_lists products[] = {
+    /* that double arithmetic on packed numbers buys nothing */
+    {{[TL_STUDY_KNOB_LAYOUT] =
+          "float-forward,float-position,compact-16,compact-12,merlin,dxr,shaderx2-160",
+      [TL_STUDY_KNOB_PRECISION] = "double"}},
+    /* few bytes that are compressed besides */
+    {{[TL_STUDY_KNOB_LAYOUT] = "compact-16,compact-12",
+      [TL_STUDY_KNOB_COMPRESSION] = "zip,piz"}},
+    /* halves that are a channel each, which b44 is for */
+    {{[TL_STUDY_KNOB_LAYOUT] = "ispc", [TL_STUDY_KNOB_COMPRESSION] = "b44,b44a,pxr24"}},
+    /* that fewer bits in than out, or the other way round, are lost */
+    {{[TL_STUDY_KNOB_LAYOUT] = "compact-16,compact-12,merlin",
+      [TL_STUDY_KNOB_OUTPUT] = "half,png"}},
+    {{[TL_STUDY_KNOB_LAYOUT] = "compact-12",
+      [TL_STUDY_KNOB_COMPRESSION] = "zip",
+      [TL_STUDY_KNOB_OUTPUT] = "png"}},
+    /* faint light that is left out where it is least seen */
+    {{[TL_STUDY_KNOB_LAYOUT] = "compact-16,compact-12",
+      [TL_STUDY_KNOB_CUTOFF] = "1e-4,1e-3,1e-2"}},
+    {{[TL_STUDY_KNOB_PRECISION] = "double", [TL_STUDY_KNOB_CUTOFF] = "1e-4,1e-2"}},
+};
+
+static const tl_study_lists quick_products[] = {
+    {{[TL_STUDY_KNOB_LAYOUT] = "compact-12", [TL_STUDY_KNOB_PRECISION] = "double"}},
+    {{[TL_STUDY_KNOB_LAYOUT] = "compact-12", [TL_STUDY_KNOB_OUTPUT] = "png"}},
+};
+
+/* The words of one list. */
+typedef struct words {
+    char text[MOST_LIST]; /* commas made into ends of words */
+    const char *of[MOST_LIST / 2];
+    size_t count;
+} words;
+
+static tl_status split(const char *list, const tl_study_knob *knob, words *out, tl_error *err)
+{
+    if (knob->all && strcmp(list, "all") == 0)
+        list = knob->all;
+    const size_t length = strlen(list);
+    if (length >= MOST_LIST)
+        return tl_fail(err, TL_ERR_ARGUMENT, "--knob %s: the list has more than %d characters",
+                       knob->name, MOST_LIST - 1);
+    memcpy(out->text, list, length + 1);
+    out->count = 0;
+    for (char *word = out->text; word; out->count++) {
+        char *comma = strchr(word, ',');
+        if (comma)
+            *comma = '\0';
+        if (*word == '\0')
+            return tl_fail(err, TL_ERR_ARGUMENT,
+                           "--knob %s: \"%s\" is no list: write words with commas between them",
+                           knob->name, list);
+        out->of[out->count] = word;
+        word = comma ? comma + 1 : NULL;
+    }
+    return TL_OK;
+}
+
+static int is_there(const tl_study_plan *plan, const tl_study_config *one)
+{
+    for (size_t i = 0; i < plan->count; i++)
+        if (tl_study_config_is_same(&plan->configs[i], one))
+            return 1;
+    return 0;
+}
+
+static tl_status append(tl_study_plan *plan, const tl_study_config *one, tl_error *err)
+{
+    if (is_there(plan, one))
+        return TL_OK;
+    if (plan->count == MOST_CONFIGS)
+        return tl_fail(err, TL_ERR_ARGUMENT, "the lists make more than %d configurations",
+                       MOST_CONFIGS);
+    tl_study_config *grown = realloc(plan->configs, (plan->count + 1) * sizeof *grown);
+    if (!grown)
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for configurations");
+    grown[plan->count++] = *one;
+    plan->configs = grown;
+    return TL_OK;
+}
+
+/* The configuration whose words are the `number`th combination, the last knob changing fastest. */
+static tl_status combine(const words *lists, size_t number, tl_study_config *out, tl_error *err)
+{
+    tl_status status = TL_OK;
+    *out = tl_study_config_default();
+    for (int knob = TL_STUDY_KNOB_COUNT; knob-- > 0;) {
+        const char *word = lists[knob].of[number % lists[knob].count];
+        number /= lists[knob].count;
+        TRY(tl_study_config_set(out, (tl_study_knob_name)knob, word, err));
+    }
+done:
+    return status;
+}
+
+tl_status tl_study_plan_add(tl_study_plan *plan, const tl_study_lists *lists, tl_error *err)
+{
+    const size_t count_before = plan->count;
+    tl_status status = TL_OK;
+    size_t product = 1;
+    words *split_lists = calloc(TL_STUDY_KNOB_COUNT, sizeof *split_lists);
+    if (!split_lists)
+        TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for configurations"));
+    for (int knob = 0; knob < TL_STUDY_KNOB_COUNT; knob++) {
+        const tl_study_knob *row = &tl_study_knobs[knob];
+        TRY(split(lists->of[knob] ? lists->of[knob] : row->usual, row, &split_lists[knob],
+                  err));
+        product *= split_lists[knob].count;
+        if (product > MOST_CONFIGS)
+            TRY(tl_fail(err, TL_ERR_ARGUMENT, "the lists make more than %d configurations",
+                        MOST_CONFIGS));
+    }
+    for (size_t number = 0; number < product; number++) {
+        tl_study_config one;
+        TRY(combine(split_lists, number, &one, err));
+        TRY(append(plan, &one, err));
+    }
+done:
+    if (status != TL_OK)
+        plan->count = count_before;
+    free(split_lists);
+    return status;
+}
+
+static tl_status add_products(tl_study_plan *plan,
+                              const tl_study_lists *lists,
+                              size_t count,
+                              tl_error *err)
+{
+    tl_status status = TL_OK;
+    for (size_t i = 0; i < count; i++)
+        TRY(tl_study_plan_add(plan, &lists[i], err));
+done:
+    return status;
+}
+
+tl_status tl_study_plan_usual(tl_study_plan *plan, int is_quick, tl_error *err)
+{
+    static const tl_study_lists usual = {{NULL}};
+    const size_t count_before = plan->count;
+    tl_status status = TL_OK;
+    TRY(tl_study_plan_add(plan, &usual, err));
+    for (int knob = 0; knob < TL_STUDY_KNOB_COUNT; knob++) {
+        tl_study_lists alone = usual;
+        const tl_study_knob *row = &tl_study_knobs[knob];
+        alone.of[knob] = is_quick ? row->quick : row->alone;
+        TRY(tl_study_plan_add(plan, &alone, err));
+    }
+    TRY(is_quick ? add_products(plan, quick_products,
+                                sizeof quick_products / sizeof *quick_products, err)
+                 : add_products(plan, products, sizeof products / sizeof *products, err));
+done:
+    if (status != TL_OK)
+        plan->count = count_before;
+    return status;
+}
+
+void tl_study_plan_clear(tl_study_plan *plan)
+{
+    free(plan->configs);
+    *plan = (tl_study_plan){0};
+}

@@ -1,0 +1,90 @@
+/* Accuracy against time: every configuration of a plan on frames, each measured once.
+ *
+ * What was measured stands in FOLDER/study.json after every configuration, so a study that ends early goes on
+ * where it ended. */
+#ifndef TL_STUDY_H
+#define TL_STUDY_H
+
+#include "front.h"
+#include "machine.h"
+#include "plan.h"
+#include "sampling.h"
+#include "study_frame.h"
+#include "values.h"
+
+/* What is known of a frame. */
+typedef struct tl_study_result {
+    char name[64], identity[TL_STUDY_IDENTITY_SIZE], source[256];
+    uint32_t width, height; /* px */
+    uint32_t present;       /* planes, bits 1 << plane */
+    size_t light_count;
+    double mean, exposure;    /* of the reference: mean of all values; stops */
+    char reference[128];      /* its words, as a title has them: what every error is against */
+    char picture[128];        /* of the reference, a file in the study's folder */
+    tl_study_record *records; /* [count]; owned */
+    size_t count;
+} tl_study_result;
+
+/* All zero but for machine and device to begin with; released with tl_study_clear. */
+typedef struct tl_study {
+    tl_machine machine;
+    tl_device_info device;
+    char command[1024];       /* that does it again; may be empty */
+    tl_study_result *results; /* [count]; owned */
+    size_t count;
+} tl_study;
+
+void tl_study_clear(tl_study *study);
+
+/* Who looks on. */
+typedef struct tl_study_watch {
+    /* Before a configuration is measured, the `index`th of `count` of the frame. NULL: nobody. */
+    void (*begins)(void *context,
+                   const char *frame,
+                   size_t index,
+                   size_t count,
+                   const tl_study_config *config);
+    int (*stops)(void *context); /* 1: end after this configuration. NULL: never */
+    void *context;
+} tl_study_watch;
+
+typedef struct tl_study_options {
+    const char
+        *folder; /* exists; NULL: nothing is written, and nothing read or written is timed */
+    tl_sampling_rule
+        rule; /* of each half of a configuration's lighting, and of each kind of file */
+    tl_study_watch watch;
+} tl_study_options;
+
+/* At least 6 samples a half, which an interval of 95 % takes; 0.25 %; 1 s. */
+tl_study_options tl_study_options_default(void);
+
+/* Measures what is not in *study yet of the frame under these options, the default configuration always:
+ * what does not fit the frame is left out. *was_stopped: whether the watcher ended it. *measured: how many
+ * were. Fails as tl_study_steps_find and tl_study_time_lighting do. What was measured before a failure is
+ * in *study. */
+tl_status tl_study_run(tl_study *study,
+                       tl_device *device,
+                       const tl_study_frame *frame,
+                       const tl_study_plan *plan,
+                       const tl_study_options *options,
+                       size_t *measured,
+                       int *was_stopped,
+                       tl_error *err);
+
+/* Finds the fronts and writes FOLDER/study.json and FOLDER/study.csv. Fails with TL_ERR_WRITE or
+ * TL_ERR_MEMORY. */
+tl_status tl_study_write(tl_study *study, const char *folder, tl_error *err);
+
+/* Adds what FOLDER/study.json holds, if it is there, to an empty *study of this machine and device. Fails
+ * with TL_ERR_ARGUMENT where that is of another machine or device, TL_ERR_FORMAT (no study, or of another
+ * version), TL_ERR_READ or TL_ERR_MEMORY. */
+tl_status tl_study_resume(tl_study *study, const char *folder, tl_error *err);
+
+/* Removes the maps of configurations that are on no front. */
+void tl_study_drop_maps(tl_study *study, const char *folder);
+
+/* The cause that adds most to a record's error, a word of TL_STUDY_CAUSES; "none" where nothing does. */
+const char *tl_study_main_cause(const tl_study_record *record);
+
+#endif

@@ -1,0 +1,225 @@
+#include "study_knobs.h"
+
+#include "tilelight/layouts.h"
+#include "try.h"
+#include "words.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#define CAUSE_WORD(name, word, meaning) [name] = word,
+#define CAUSE_MEANING(name, word, meaning) [name] = meaning,
+const char *const tl_study_cause_words[] = {TL_STUDY_CAUSES(CAUSE_WORD)};
+const char *const tl_study_cause_meanings[] = {TL_STUDY_CAUSES(CAUSE_MEANING)};
+
+#define WORD(name, word, meaning) word,
+#define COMMA_WORD(name, word, meaning) "," word
+#define LAYOUT_WORD(name, row, word) "," word
+#define COMPRESSION_WORD(name, word, exact, meaning) word,
+#define COMMA_COMPRESSION(name, word, exact, meaning) "," word
+#define ALL(list) (&(list)[1])
+
+static tl_status set_cutoff(tl_study_config *config, const char *word, tl_error *err)
+{
+    return tl_word_number("--knob cutoff", word, 0.0, 1e6, &config->cutoff, err);
+}
+
+static tl_status set_compression(tl_study_config *config, const char *word, tl_error *err)
+{
+    static const char *const words[] = {TL_COMPRESSIONS(COMPRESSION_WORD)};
+    size_t at = 0;
+    const tl_status status =
+        tl_word_among("--knob compression", word, words, TL_COMPRESSION_COUNT, &at, err);
+    config->compression = (tl_compression)at;
+    return status;
+}
+
+static tl_status set_output(tl_study_config *config, const char *word, tl_error *err)
+{
+    static const char *const words[] = {TL_STUDY_OUTPUTS(WORD)};
+    size_t at = 0;
+    const tl_status status =
+        tl_word_among("--knob output", word, words, TL_STUDY_OUTPUT_COUNT, &at, err);
+    config->output = (tl_study_output)at;
+    return status;
+}
+
+static int has_place(const tl_study_needs *needs, const tl_study_config *config)
+{
+    return (needs->present & ~tl_layout_planes(config->of.layout)) == 0;
+}
+
+static int can_double(const tl_study_needs *needs, const tl_study_config *config)
+{
+    return needs->has_double || config->of.lighting.precision != TL_PRECISION_DOUBLE;
+}
+
+static int has_endless(const tl_study_needs *needs, const tl_study_config *config)
+{
+    return needs->has_endless || config->cutoff == 0.0;
+}
+
+const tl_study_knob tl_study_knobs[TL_STUDY_KNOB_COUNT] = {
+    [TL_STUDY_KNOB_LAYOUT] = {.name = "layout",
+                              .meaning =
+                                  "how pixels are packed; `tilelight layouts' describes them",
+                              .trades =
+                                  "bits of depth, normals and materials for bytes to move",
+                              .cause = TL_STUDY_STORAGE,
+                              .usual = "float",
+                              .exact = "float",
+                              .alone = "all",
+                              .quick = "float-position,compact-16,compact-12,merlin",
+                              .all = ALL(TL_LAYOUTS(LAYOUT_WORD)),
+                              .axis = TL_AXIS_LAYOUT,
+                              .fits = has_place},
+    [TL_STUDY_KNOB_COMPRESSION] = {.name = "compression",
+                                   .meaning = "of the G-buffer's file",
+                                   .trades =
+                                       "time to decode, and with pxr24, b44 and b44a bits, for "
+                                       "bytes of the file",
+                                   .cause = TL_STUDY_STORAGE,
+                                   .is_of_files = 1,
+                                   .usual = "none",
+                                   .exact = "none",
+                                   .alone = "rle,zips,zip,piz,pxr24",
+                                   .quick = "zip,pxr24",
+                                   .all = ALL(TL_COMPRESSIONS(COMMA_COMPRESSION)),
+                                   .axis = -1,
+                                   .set = set_compression},
+    [TL_STUDY_KNOB_PRECISION] = {.name = "precision",
+                                 .meaning = "of the kernels' numbers",
+                                 .trades = "rounding for half the lanes",
+                                 .cause = TL_STUDY_ARITHMETIC,
+                                 .usual = "float",
+                                 .exact = "reference",
+                                 .alone = "double",
+                                 .quick = "double",
+                                 .all = "float,double",
+                                 .axis = TL_AXIS_PRECISION,
+                                 .fits = can_double},
+    [TL_STUDY_KNOB_WIDTH] = {.name = "width",
+                             .meaning = "vector lanes of the kernels",
+                             .trades = "nothing: exact forms have the same bits in every width",
+                             .cause = TL_STUDY_ARITHMETIC,
+                             .usual = "auto",
+                             .exact = "auto",
+                             .alone = "1,4,8",
+                             .all = "auto,1,4,8,16",
+                             .axis = TL_AXIS_WIDTH},
+    [TL_STUDY_KNOB_CUTOFF] = {.name = "cutoff",
+                              .meaning =
+                                  "a light without a range ends where it gives a white surface "
+                                  "this share of the frame's mean radiance; 0: nowhere",
+                              .trades = "faint light for pairs that need not be computed",
+                              .cause = TL_STUDY_APPROXIMATION,
+                              .usual = "0",
+                              .exact = "0",
+                              .alone = "1e-5,1e-4,1e-3,1e-2,1e-1",
+                              .quick = "1e-3,1e-1",
+                              .axis = -1,
+                              .set = set_cutoff,
+                              .fits = has_endless},
+    [TL_STUDY_KNOB_CULL] =
+        {.name = "cull",
+         .meaning = "which lights a tile computes",
+         .trades = "nothing: a light that is left out reaches no pixel of the tile",
+         .cause = TL_STUDY_CULLING,
+         .usual = "split",
+         .exact = "none",
+         .alone = "depth,rect,none",
+         .quick = "rect",
+         .all = ALL(TL_CULLS(COMMA_WORD)),
+         .axis = TL_AXIS_CULL},
+    [TL_STUDY_KNOB_TILE] = {.name = "tile",
+                            .meaning = "side of a tile, px",
+                            .trades = "nothing: it moves work between culling and shading",
+                            .cause = TL_STUDY_CULLING,
+                            .usual = "16",
+                            .exact = "16",
+                            .alone = "8,32,64",
+                            .quick = "32",
+                            .all = "8,16,32,64",
+                            .axis = TL_AXIS_TILE},
+    [TL_STUDY_KNOB_OUTPUT] = {.name = "output",
+                              .meaning = "what the picture is written as",
+                              .trades = "bits of the picture for bytes of its file",
+                              .cause = TL_STUDY_OUTPUT,
+                              .is_of_files = 1,
+                              .usual = "float",
+                              .exact = "float",
+                              .alone = "half,png",
+                              .quick = "half,png",
+                              .all = ALL(TL_STUDY_OUTPUTS(COMMA_WORD)),
+                              .axis = -1,
+                              .set = set_output},
+};
+
+tl_status tl_study_config_set(tl_study_config *config,
+                              tl_study_knob_name knob,
+                              const char *word,
+                              tl_error *err)
+{
+    const tl_study_knob *row = &tl_study_knobs[knob];
+    tl_study_config changed = *config;
+    tl_status status = TL_OK;
+    tl_error said = {.status = TL_OK};
+    if (strlen(word) >= TL_BENCH_WORD_SIZE)
+        return tl_fail(err, TL_ERR_ARGUMENT, "--knob %s: \"%s\" is too long a word", row->name,
+                       word);
+    if (row->axis < 0) {
+        TRY(row->set(&changed, word, err));
+    } else if (tl_bench_axes[row->axis].set(&changed.of, word, &said) != TL_OK) {
+        /* The bench calls its option by two dashes, which are skipped. */
+        const char *sentence = said.message + strspn(said.message, "-");
+        TRY(tl_fail(err, said.status, "--knob %s", sentence));
+    }
+    snprintf(changed.words[knob], TL_BENCH_WORD_SIZE, "%s", word);
+    *config = changed;
+done:
+    return status;
+}
+
+tl_study_config tl_study_config_default(void)
+{
+    tl_study_config config = {.of.lighting = tl_lighting_options_default()};
+    for (int knob = 0; knob < TL_STUDY_KNOB_COUNT; knob++)
+        tl_study_config_set(&config, (tl_study_knob_name)knob, tl_study_knobs[knob].usual,
+                            NULL);
+    return config;
+}
+
+int tl_study_config_is_same(const tl_study_config *a, const tl_study_config *b)
+{
+    for (int knob = 0; knob < TL_STUDY_KNOB_COUNT; knob++)
+        if (strcmp(a->words[knob], b->words[knob]) != 0)
+            return 0;
+    return 1;
+}
+
+int tl_study_config_fits(const tl_study_config *config, const tl_study_needs *needs)
+{
+    for (int knob = 0; knob < TL_STUDY_KNOB_COUNT; knob++)
+        if (tl_study_knobs[knob].fits && !tl_study_knobs[knob].fits(needs, config))
+            return 0;
+    return 1;
+}
+
+int tl_study_config_is_usual(const tl_study_config *config, int is_of_files)
+{
+    for (int knob = 0; knob < TL_STUDY_KNOB_COUNT; knob++)
+        if (tl_study_knobs[knob].is_of_files == is_of_files &&
+            strcmp(config->words[knob], tl_study_knobs[knob].usual) != 0)
+            return 0;
+    return 1;
+}
+
+void tl_study_config_title(const tl_study_config *config, char *text, size_t size)
+{
+    size_t used = 0;
+    snprintf(text, size, "default");
+    for (int knob = 0; knob < TL_STUDY_KNOB_COUNT && used < size; knob++)
+        if (strcmp(config->words[knob], tl_study_knobs[knob].usual) != 0)
+            used += (size_t)snprintf(text + used, size - used, "%s%s=%s", used ? " " : "",
+                                     tl_study_knobs[knob].name, config->words[knob]);
+}

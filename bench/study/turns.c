@@ -1,0 +1,139 @@
+#include "turns.h"
+
+#include "frame_ratio.h"
+#include "pass_bytes.h"
+#include "tilelight/report.h"
+#include "try.h"
+
+static tl_status run(const tl_turn *turn, double *ms, tl_error *err)
+{
+    const double start = tl_seconds();
+    const tl_status status = turn->run(turn->context, err);
+    *ms = 1e3 * (tl_seconds() - start);
+    return status;
+}
+
+typedef struct half {
+    tl_samples usual, other, ratio;
+} half;
+
+static tl_status take_half(const tl_turn *usual,
+                           const tl_turn *other,
+                           const tl_sampling_rule *rule,
+                           half *h,
+                           tl_error *err)
+{
+    const tl_turn *const turns[2] = {usual, other};
+    const double start = tl_seconds();
+    double ms[2];
+    int first = 0;
+    tl_status status = TL_OK;
+    do {
+        TRY(run(turns[first], &ms[first], err));
+        TRY(run(turns[1 - first], &ms[1 - first], err));
+        TRY(tl_samples_add(&h->usual, ms[0], err));
+        TRY(tl_samples_add(&h->other, ms[1], err));
+        TRY(tl_samples_add(&h->ratio, ms[1] / ms[0], err));
+        first = 1 - first;
+    } while (!tl_sampling_done(rule, &h->ratio, start));
+done:
+    return status;
+}
+
+tl_status tl_study_turns_take(const tl_turn *usual,
+                              const tl_turn *other,
+                              const tl_sampling_rule *rule,
+                              tl_study_time *usual_ms,
+                              tl_study_time *other_ms,
+                              tl_study_time *ratio,
+                              tl_error *err)
+{
+    half halves[2] = {0};
+    tl_summary usuals[2], others[2], ratios[2];
+    double ms;
+    tl_status status = TL_OK;
+    TRY(run(usual, &ms, err));
+    TRY(run(other, &ms, err));
+    for (int i = 0; i < 2; i++) {
+        TRY(take_half(usual, other, rule, &halves[i], err));
+        usuals[i] = tl_samples_summarize(&halves[i].usual);
+        others[i] = tl_samples_summarize(&halves[i].other);
+        ratios[i] = tl_samples_summarize(&halves[i].ratio);
+    }
+    *usual_ms = tl_study_time_of(usuals);
+    *other_ms = tl_study_time_of(others);
+    *ratio = tl_study_time_of(ratios);
+done:
+    for (int i = 0; i < 2; i++) {
+        tl_samples_clear(&halves[i].usual);
+        tl_samples_clear(&halves[i].other);
+        tl_samples_clear(&halves[i].ratio);
+    }
+    return status;
+}
+
+static tl_status side_of(tl_study_pictures *p,
+                         const tl_study_config *config,
+                         tl_frame_side *out,
+                         tl_error *err)
+{
+    tl_frame_side side = {.lights = &p->frame->lights, .options = tl_study_lighting(p, config)};
+    const tl_status status = tl_study_gbuffer(p, config, &side.gbuffer, err);
+    if (status == TL_OK)
+        *out = side;
+    return status;
+}
+
+static bool has_highlights(const tl_gbuffer *gbuffer, const tl_light_set *lights)
+{
+    bool any = false;
+    for (size_t i = 0; i < lights->count; i++)
+        any = any || lights->lights[i].specular > 0.0f;
+    return any && (gbuffer->present & (TL_GROUP_PHONG | TL_GROUP_METAL_ROUGH));
+}
+
+/* Per pixel of the picture. */
+static double moved_bytes(const tl_frame_side *side, const tl_lighting_counts *counts)
+{
+    const tl_camera *camera = &side->gbuffer->camera;
+    const double side_of_tile = side->options.tile_size;
+    const tl_frame_extent extent = {
+        .layout = side->gbuffer->layout,
+        .present = side->gbuffer->present,
+        .specular = has_highlights(side->gbuffer, side->lights),
+        .pixels = counts->tile_count * side_of_tile * side_of_tile,
+        .tiles = counts->tile_count,
+        .lights = (double)side->lights->count,
+        .list_entries = (double)counts->list_length,
+    };
+    const tl_pass_bytes culling = tl_culling_bytes(&extent),
+                        shading = tl_shading_bytes(&extent);
+    return (tl_pass_bytes_sum(&culling) + tl_pass_bytes_sum(&shading)) /
+           ((double)camera->width * camera->height);
+}
+
+tl_status tl_study_time_lighting(tl_study_pictures *p,
+                                 const tl_sampling_rule *rule,
+                                 tl_study_record *record,
+                                 tl_error *err)
+{
+    const tl_study_config usual = tl_study_config_default();
+    tl_frame_side sides[2];
+    tl_frame_ratio halves[2];
+    tl_status status = TL_OK;
+    TRY(side_of(p, &usual, &sides[0], err));
+    TRY(side_of(p, &record->config, &sides[1], err));
+    for (int i = 0; i < 2; i++)
+        TRY(tl_frame_ratio_measure(p->device, sides, rule, &halves[i], err));
+    const tl_summary ratio[2] = {halves[0].ratio, halves[1].ratio},
+                     light[2] = {halves[0].frame_ms[1], halves[1].frame_ms[1]},
+                     cull[2] = {halves[0].cull_ms[1], halves[1].cull_ms[1]},
+                     shade[2] = {halves[0].shade_ms[1], halves[1].shade_ms[1]};
+    record->times[TL_TIME_LIGHT_RATIO] = tl_study_time_of(ratio);
+    record->times[TL_TIME_LIGHT] = tl_study_time_of(light);
+    record->times[TL_TIME_CULL] = tl_study_time_of(cull);
+    record->times[TL_TIME_SHADE] = tl_study_time_of(shade);
+    record->values[TL_VALUE_MOVED] = moved_bytes(&sides[1], &halves[1].counts[1]);
+done:
+    return status;
+}

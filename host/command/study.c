@@ -1,0 +1,276 @@
+/* tilelight study: what accuracy costs in time. */
+#define _GNU_SOURCE
+#include "study.h"
+
+#include "commands.h"
+#include "console.h"
+#include "job_light.h"
+#include "study_options.h"
+#include "study_table.h"
+#include "try.h"
+#ifdef TILELIGHT_RASTER
+#    include "job_capture.h"
+#endif
+
+#include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+static const double usual_seconds = 2.0, quick_seconds = 0.5;
+
+static volatile sig_atomic_t is_interrupted;
+
+static void interrupt(int signal)
+{
+    (void)signal;
+    is_interrupted = 1;
+}
+
+/* The first Ctrl-C ends the study, a second one the program. */
+static void listen_for_interrupts(void)
+{
+    struct sigaction action = {.sa_handler = interrupt, .sa_flags = (int)SA_RESETHAND};
+    sigemptyset(&action.sa_mask);
+    sigaction(SIGINT, &action, NULL);
+}
+
+static int stops(void *context)
+{
+    (void)context;
+    return is_interrupted != 0;
+}
+
+/* All of the frames, as far as one knows how long they will take. */
+typedef struct progress {
+    double start_s;
+    size_t done;            /* configurations of frames before */
+    int frame, frame_count; /* the present one, from 1 on */
+} progress;
+
+static void tell(
+    void *context, const char *frame, size_t index, size_t count, const tl_study_config *config)
+{
+    const progress *p = context;
+    char title[1024], left[64] = "", text[1400];
+    const size_t done = p->done + index;
+    tl_study_config_title(config, title, sizeof title);
+    if (done > 2) {
+        const double each = (tl_seconds() - p->start_s) / (double)done;
+        const size_t more = count - index + count * (size_t)(p->frame_count - p->frame);
+        snprintf(left, sizeof left, "; some %.0f min left", ceil(each * (double)more / 60.0));
+    }
+    snprintf(text, sizeof text, "%s: %zu of %zu: %s%s", frame, index + 1, count, title, left);
+    console_stage(text);
+}
+
+/* A word for files: letters, digits and dashes of the path's last name without its ending. */
+static void name_frame(const char *path, int number, char *out, size_t size)
+{
+    const char *slash = strrchr(path, '/'), *from = slash ? slash + 1 : path;
+    const char *dot = strrchr(from, '.');
+    size_t length = 0;
+    for (const char *c = from; *c && c != dot && length < size - 8; c++)
+        out[length++] = isalnum((unsigned char)*c) ? *c : '-';
+    out[length] = '\0';
+    if (number > 1)
+        snprintf(out + length, size - length, "-%d", number);
+}
+
+static bool is_scene(const char *path)
+{
+    const char *dot = strrchr(path, '.');
+    return dot && (strcasecmp(dot, ".gltf") == 0 || strcasecmp(dot, ".glb") == 0);
+}
+
+static tl_status capture(const study_command *options, const char *path, job *j, tl_error *err)
+{
+#ifdef TILELIGHT_RASTER
+    const tl_capture_options how = {
+        .width = options->width, .height = options->height, .camera = options->camera};
+    return job_capture(j, path, &how, false, err);
+#else
+    (void)options, (void)j;
+    return tl_fail(
+        err, TL_ERR_UNSUPPORTED,
+        "%s: this build captures no scenes; configure it with -DTILELIGHT_RASTER=ON, "
+        "or give a capture",
+        path);
+#endif
+}
+
+/* The frame of a scene or a capture, in full float. */
+static tl_status load(const study_command *options,
+                      const char *path,
+                      tl_study_frame *out,
+                      tl_error *err)
+{
+    job j = {0};
+    tl_status status = TL_OK;
+    TRY(job_read_lights(&j, options->lights, err));
+    if (is_scene(path))
+        TRY(capture(options, path, &j, err));
+    else
+        TRY(job_read(&j, path, &options->import, false, err));
+    TRY(job_unpack(&j, err));
+    TRY(job_default_lights(&j, err));
+    out->source = path;
+    out->gbuffer = j.gbuffer;
+    out->lights = j.lights;
+    j.gbuffer = NULL;
+    j.lights = (tl_light_set){0};
+done:
+    job_release(&j);
+    return status;
+}
+
+/* Frames of one name are told apart by a number. */
+static int count_same(const study_command *options, int index)
+{
+    char name[64], other[64];
+    int same = 1;
+    name_frame(options->scenes[index], 1, name, sizeof name);
+    for (int i = 0; i < index; i++) {
+        name_frame(options->scenes[i], 1, other, sizeof other);
+        same += strcmp(name, other) == 0;
+    }
+    return same;
+}
+
+static tl_status make_frame(const study_command *options,
+                            int index,
+                            tl_study_frame *out,
+                            tl_error *err)
+{
+    tl_status status = TL_OK;
+    if (options->scene_count == 0)
+        return tl_study_built_in_make(&tl_study_built_ins[index], options->width,
+                                      options->height, out, err);
+    TRY(load(options, options->scenes[index], out, err));
+    name_frame(options->scenes[index], count_same(options, index), out->name, sizeof out->name);
+done:
+    return status;
+}
+
+static int count_frames(const study_command *options)
+{
+    if (options->scene_count > 0)
+        return options->scene_count;
+    return options->quick ? 1 : tl_study_built_in_count;
+}
+
+static void complete(study_command *options)
+{
+    if (options->width == 0) {
+        options->width = options->quick ? 640 : 1280;
+        options->height = options->quick ? 360 : 720;
+    }
+    if (options->seconds == 0.0)
+        options->seconds = options->quick ? quick_seconds : usual_seconds;
+}
+
+static tl_status make_folder(const char *path, tl_error *err)
+{
+    if (mkdir(path, 0777) == 0 || errno == EEXIST)
+        return TL_OK;
+    return tl_fail(err, TL_ERR_WRITE, "%s: the folder cannot be made: %s", path,
+                   strerror(errno));
+}
+
+static tl_status study_frames(const study_command *options,
+                              tl_study *study,
+                              tl_device *device,
+                              const tl_study_plan *plan,
+                              tl_error *err)
+{
+    progress p = {.start_s = tl_seconds(), .frame_count = count_frames(options)};
+    tl_study_options how = tl_study_options_default();
+    tl_status status = TL_OK;
+    how.folder = options->folder;
+    how.rule.seconds = 0.5 * options->seconds;
+    how.watch = (tl_study_watch){tell, stops, &p};
+    for (int i = 0; i < p.frame_count; i++) {
+        tl_study_frame frame = {0};
+        size_t measured = 0;
+        int was_stopped = 0;
+        p.frame = i + 1;
+        console_stage("making the frame");
+        status = make_frame(options, i, &frame, err);
+        if (status == TL_OK)
+            status =
+                tl_study_run(study, device, &frame, plan, &how, &measured, &was_stopped, err);
+        tl_study_frame_clear(&frame);
+        TRY(status);
+        p.done += measured;
+        if (was_stopped)
+            TRY(tl_fail(
+                err, TL_ERR_DIFFERENT,
+                "interrupted after %zu configurations, which are in %s; the same command "
+                "goes on from there",
+                p.done, options->folder));
+    }
+done:
+    return status;
+}
+
+static tl_status make_plan(const study_command *options, tl_study_plan *plan, tl_error *err)
+{
+    return options->knobs_given ? tl_study_plan_add(plan, &options->lists, err)
+                                : tl_study_plan_usual(plan, options->quick, err);
+}
+
+static tl_status run(study_command *options, tl_study *study, tl_error *err)
+{
+    tl_study_plan plan = {0};
+    tl_device *device = NULL;
+    tl_status status = TL_OK;
+    complete(options);
+    TRY(make_plan(options, &plan, err));
+    TRY(make_folder(options->folder, err));
+    TRY(tl_device_open(options->device, &device, err));
+    study->machine = tl_machine_ask();
+    study->device = tl_device_describe(device);
+    if (!options->again)
+        TRY(tl_study_resume(study, options->folder, err));
+    listen_for_interrupts();
+    TRY(study_frames(options, study, device, &plan, err));
+    tl_study_drop_maps(study, options->folder);
+    TRY(tl_study_write(study, options->folder, err));
+    console_stage(NULL);
+    for (size_t i = 0; i < study->count && !options->quiet; i++)
+        study_print(stdout, &study->results[i]);
+done:
+    tl_study_plan_clear(&plan);
+    tl_device_close(device);
+    return status;
+}
+
+/* As it was called, in words that a shell takes apart again. */
+static void note_command(int argc, char **argv, char *out, size_t size)
+{
+    size_t used = (size_t)snprintf(out, size, "%s", argv[0]);
+    for (int i = 1; i < argc && used < size; i++) {
+        const bool is_plain = argv[i][strcspn(argv[i], " \t\n'\"\\$&|;<>()*?")] == '\0';
+        used += (size_t)snprintf(out + used, size - used, is_plain ? " %s" : " '%s'", argv[i]);
+    }
+}
+
+int command_study(int argc, char **argv)
+{
+    study_command options = {0};
+    tl_study study = {0};
+    tl_status status = TL_OK;
+    tl_error err;
+    note_command(argc, argv, study.command, sizeof study.command);
+    study_parse(argc, argv, &options);
+    if (options.list)
+        study_print_list(stdout);
+    else
+        status = run(&options, &study, &err);
+    tl_study_clear(&study);
+    study_command_release(&options);
+    return console_finish(status, &err);
+}
