@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 /* In C but for the default configuration, so that one build of kernels is enough. */
+#define MANY "--knob layout=float,float-ndc,float-reversed,ispc,merlin,tutorial"
 #define TINY "$T study --size 32x32 --seconds 0.01 --quick --knob precision=twin "
 
 static json_t *read_json(const char *path)
@@ -115,14 +116,14 @@ static void captures_are_studied(void **state)
 static void interrupted_studies_go_on(void **state)
 {
     (void)state;
-    expect_run(TINY "-o i --knob layout=float,float-ndc,float-reversed,ispc,merlin,tutorial & p=$!; "
+    expect_run(TINY "-o i " MANY " & p=$!; "
                     "until [ -s i/study.json ]; do sleep 0.02; done; kill -INT $p; wait $p",
                1, "", "the same command goes on from there");
     json_t *root = read_json("i/study.json");
     const size_t before = json_array_size(configurations(root));
     json_decref(root);
     assert_true(before >= 1 && before < 7);
-    expect_run(TINY "-o i --knob layout=float,float-ndc,float-reversed,ispc,merlin,tutorial", 0, "configuration", "");
+    expect_run(TINY "-o i " MANY "", 0, "configuration", "");
     root = read_json("i/study.json");
     assert_int_equal(json_array_size(configurations(root)), 7);
     json_decref(root);

@@ -7,7 +7,8 @@
 #include "tilelight/image.h"
 #include "tilelight/lighting.h"
 
-/* Of one configuration's chain of causes all are there at once, and those of its layout again for the next. */
+/* Of one configuration's chain of causes all are there at once, and those of its layout again for the
+ * next. */
 enum { TL_STUDY_LEAST_KEPT = 8, TL_STUDY_MOST_KEPT = 48, TL_STUDY_GBUFFERS_KEPT = 3 };
 
 typedef struct tl_study_kept_picture {

@@ -214,17 +214,63 @@ done:
     return status;
 }
 
-/* Of several knobs of one cause the first that is not exact; they are named with their words. */
-static void name_knob(const tl_study_pictures *p, tl_study_cause cause, tl_study_record *record)
+static int is_of(const tl_study_pictures *p,
+                 const tl_study_config *config,
+                 int knob,
+                 tl_study_cause cause)
+{
+    return tl_study_knobs[knob].cause == cause &&
+           strcmp(config->words[knob], p->exact[knob]) != 0;
+}
+
+/* How much a knob of a cause adds at the worst value alone, all earlier causes being as configured. */
+static tl_status find_share(
+    tl_study_pictures *p, const tl_study_record *record, int knob, double *share, tl_error *err)
+{
+    const tl_study_cause cause = tl_study_knobs[knob].cause;
+    const size_t x = (size_t)record->values[TL_VALUE_WORST_X],
+                 y = (size_t)record->values[TL_VALUE_WORST_Y];
+    const unsigned channel = (unsigned)record->values[TL_VALUE_WORST_CHANNEL];
+    const tl_study_config before = tl_study_config_up_to(p, &record->config, (int)cause - 1);
+    tl_study_config alone = before;
+    const tl_image *without = NULL, *with = NULL;
+    tl_status status = TL_OK;
+    TRY(tl_study_config_set(&alone, (tl_study_knob_name)knob, record->config.words[knob], err));
+    TRY(tl_study_picture(p, &before, &without, err));
+    TRY(tl_study_picture(p, &alone, &with, err));
+    *share = fabs((double)tl_image_plane(with, channel)[y * with->pitch + x] -
+                  (double)tl_image_plane(without, channel)[y * without->pitch + x]);
+done:
+    return status;
+}
+
+/* The knob of the cause with its word; of several the one that alone adds most there. */
+static tl_status name_knob(tl_study_pictures *p,
+                           tl_study_cause cause,
+                           tl_study_record *record,
+                           tl_error *err)
 {
     const tl_study_config *config = &record->config;
+    int count = 0, named = -1;
+    double most = -1.0, share = 0.0;
+    tl_status status = TL_OK;
     for (int knob = 0; knob < TL_STUDY_KNOB_COUNT; knob++)
-        if (tl_study_knobs[knob].cause == cause &&
-            strcmp(config->words[knob], p->exact[knob]) != 0) {
-            snprintf(record->worst_detail, sizeof record->worst_detail, "%s=%.48s",
-                     tl_study_knobs[knob].name, config->words[knob]);
-            return;
+        count += is_of(p, config, knob, cause);
+    for (int knob = 0; knob < TL_STUDY_KNOB_COUNT; knob++) {
+        if (!is_of(p, config, knob, cause))
+            continue;
+        if (count > 1)
+            TRY(find_share(p, record, knob, &share, err));
+        if (share > most) {
+            most = share;
+            named = knob;
         }
+    }
+    if (named >= 0)
+        snprintf(record->worst_detail, sizeof record->worst_detail, "%s=%.48s",
+                 tl_study_knobs[named].name, config->words[named]);
+done:
+    return status;
 }
 
 static tl_status find_worst(tl_study_pictures *p, tl_study_record *record, tl_error *err)
@@ -246,7 +292,7 @@ static tl_status find_worst(tl_study_pictures *p, tl_study_record *record, tl_er
     if (worst == TL_STUDY_STORAGE)
         snprintf(record->worst_detail, sizeof record->worst_detail, "%s", attribute);
     else
-        name_knob(p, (tl_study_cause)worst, record);
+        TRY(name_knob(p, (tl_study_cause)worst, record, err));
 done:
     return status;
 }

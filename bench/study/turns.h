@@ -22,8 +22,8 @@ tl_status tl_study_turns_take(const tl_turn *usual,
                               tl_study_time *ratio,
                               tl_error *err);
 
-/* Fills in the times of lighting: the configuration by turns with the default one; and what it moves. Fails as
- * tl_study_gbuffer and tl_lighting_run do. */
+/* Fills in the times of lighting: the configuration by turns with the default one; and what it moves. Fails
+ * as tl_study_gbuffer and tl_lighting_run do. */
 tl_status tl_study_time_lighting(tl_study_pictures *pictures,
                                  const tl_sampling_rule *rule,
                                  tl_study_record *record,
