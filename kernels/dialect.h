@@ -164,6 +164,12 @@ typedef TL_GLOBAL const float *tl_numbers;
 #    ifndef TL_PRECISE_POWER
 #        define TL_PRECISE_POWER 0
 #    endif
+#    ifndef TL_POWER
+#        define TL_POWER 0
+#        define TL_FORM 0
+#        define TL_ROOT 0
+#    endif
+#    include "knobs.h"
 
 typedef uint32_t tl_u32;
 #    if TL_REAL_DOUBLE
@@ -235,6 +241,26 @@ TL_INLINE real AS_REAL(integer i)
     memcpy(&x, &i, sizeof x);
     return x;
 }
+#endif
+
+/* TL_BEGIN_LOOSE and TL_END_LOOSE enclose functions whose arithmetic the compiler may loosen, where a build
+ * asks for it. Flags of the build would loosen positions and what decides on a light too; then a tile could
+ * leave out a light that a pixel counts, and tiles would show. Pragmas do not reach beyond what they enclose,
+ * so culling stays exact; clang has them. The host is strict. */
+#if defined(__OPENCL_C_VERSION__) && TL_ARITHMETIC != 0
+#    ifndef __clang__
+#        error "--math contract and relaxed need an OpenCL compiler of clang's kind"
+#    endif
+#    if TL_ARITHMETIC == 1
+#        define TL_BEGIN_LOOSE _Pragma("clang fp contract(fast)")
+#        define TL_END_LOOSE _Pragma("clang fp contract(off)")
+#    else
+#        define TL_BEGIN_LOOSE _Pragma("float_control(precise, off, push)")
+#        define TL_END_LOOSE _Pragma("float_control(pop)")
+#    endif
+#else
+#    define TL_BEGIN_LOOSE
+#    define TL_END_LOOSE
 #endif
 
 #define NO_LANE ((mask)0)

@@ -56,6 +56,8 @@ TL_INLINE real fade_by_table(real distance, scalar fade, tl_numbers table, tl_u3
     return FMA(inside - before, high - low, low);
 }
 
+TL_BEGIN_LOOSE
+
 #define TL_MOST_PER_DISTANCE2 R(1e4) /* 1/m^2: of the nearest distance, 1 cm */
 
 /* fade: 1/range. Error at most u: fade's of d/range, and the sum's of what that leaves of 1. */
@@ -85,5 +87,7 @@ TL_INLINE real fade_inverse_square(real distance2, real per_distance, scalar fad
         pick(per_distance2 < TL_MOST_PER_DISTANCE2, per_distance2, TL_MOST_PER_DISTANCE2);
     return pick(window > R(0.0), window, R(0.0)) * near_one;
 }
+
+TL_END_LOOSE
 
 #endif

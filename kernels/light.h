@@ -55,6 +55,8 @@ TL_INLINE light_colors colors_of(tl_view_light light)
     return colors;
 }
 
+TL_BEGIN_LOOSE
+
 /* `diffuse` and what arrives with `weight` under this cosine, in lanes of `lit`. *seen becomes what the
  * specular lobe is multiplied by: the weight where the light is above the surface, or what arrives.
  * A lane outside `lit` adds exactly 0. */
@@ -100,7 +102,7 @@ TL_INLINE received add_highlight(received sum,
 {
     const half_angle a = highlight_angle(s, l, length);
     return add_lobe(sum, needs, colors, seen, shine_of(needs, s, a, seen),
-                    exp2_of_negative(log2_of_power(a.cos2, a.sin2, s.shininess)));
+                    power_of_log2(log2_of_power(a.cos2, a.sin2, s.shininess)));
 }
 
 /* Whether a light with a range fades by this row, which `it_does` says where lights of the scene fade by
@@ -123,6 +125,8 @@ fade_of(tl_needs needs, tl_view_light light, real distance2, real distance, real
     return fade_inverse_square(distance2, per_distance, light.fade);
 }
 
+TL_END_LOOSE
+
 /* Whether a light with a range may add to a lane; it adds exactly 0 to all others. For short cuts. */
 TL_INLINE mask
 may_be_lit(tl_needs needs, tl_view_light light, tl_view_spot spot, vec3 l, approach a)
@@ -130,6 +134,8 @@ may_be_lit(tl_needs needs, tl_view_light light, tl_view_spot spot, vec3 l, appro
     const mask near = reaches(light, a.distance2) & (a.facing > R(0.0));
     return needs.spots ? near & in_cone(spot, l, a.distance2) : near;
 }
+
+TL_BEGIN_LOOSE
 
 /* What comes from a light, of what its colours say, in lanes of `lit`. */
 typedef struct arrival {
@@ -155,9 +161,10 @@ through_cone(arrival from, tl_needs needs, tl_view_spot spot, vec3 l, real dista
 TL_INLINE arrival
 ranged_arrival(tl_needs needs, surface s, tl_view_light light, tl_view_spot spot, approach a)
 {
+    const length_pair d = lengths_of(a.distance2);
     arrival from;
-    from.distance = SQRT(a.distance2);
-    from.per_distance = R(1.0) / from.distance;
+    from.distance = d.length;
+    from.per_distance = d.per_length;
     from.lit = reaches(light, a.distance2) & (a.distance2 > TL_LEAST_DISTANCE2);
     from.weight = fade_of(needs, light, a.distance2, from.distance, from.per_distance);
     return through_cone(from, needs, spot, vector_to_light(s.position, light), a.distance2);
@@ -173,8 +180,8 @@ TL_INLINE vec3 add_ranged_diffuse(vec3 diffuse,
                                   real *distance,
                                   real *seen)
 {
-    *distance = SQRT(a.distance2);
     const arrival from = ranged_arrival(needs, s, light, spot, a);
+    *distance = from.distance;
     return add_diffuse(diffuse, needs, colors_of(light), a.facing * from.per_distance,
                        from.weight, from.lit, seen);
 }
@@ -255,5 +262,7 @@ TL_INLINE received add_global_light(
     from = through_cone(from, needs, spot, l, a.distance2);
     return add_light(sum, needs, s, f, colors_of(light), l, a, from);
 }
+
+TL_END_LOOSE
 
 #endif

@@ -23,7 +23,7 @@ TL_INLINE reflection phong_reflection(tl_needs needs, surface s, meeting m)
                                FMA(s.normal.z, twice, -m.l.z)};
         const half_angle a = angle_of(s.to_eye, mirrored);
         r.specular = pick(a.above, m.weight, R(0.0)) *
-                     exp2_of_negative(log2_of_power(a.cos2, a.sin2, s.shininess));
+                     power_of_log2(log2_of_power(a.cos2, a.sin2, s.shininess));
     }
     return r;
 }

@@ -27,7 +27,7 @@ plain_reflection(tl_needs needs, surface s, meeting m, mask has_specular, mask u
         const half_angle a = highlight_angle(s, m.l, m.length);
         const real seen = pick(under_cosine, m.arriving, m.weight);
         const real shine = pick(a.above & has_specular, seen, R(0.0));
-        r.specular = shine * exp2_of_negative(log2_of_power(a.cos2, a.sin2, s.shininess));
+        r.specular = shine * power_of_log2(log2_of_power(a.cos2, a.sin2, s.shininess));
     }
     return r;
 }

@@ -1,4 +1,4 @@
-/* The constants a kernel build is specialised by: the only ones.
+/* The constants a kernel build is specialised by: these, and the knobs of knobs.h.
  *
  * The host turns this list into the fields of tl_kernel_options and into -D flags
  * (host/lighting/kernel_program.c). None has a default on the device, so a forgotten flag is a compile
@@ -6,6 +6,8 @@
  * without another kernel being worth it (tile size, culling, counts) is in tl_frame. */
 #ifndef TL_OPTIONS_H
 #define TL_OPTIONS_H
+
+#include "knobs.h"
 
 /* X(name of the -D flag, field of tl_kernel_options)
  *
@@ -59,7 +61,8 @@
         !defined(TL_MODEL) || !defined(TL_SPOTS) || !defined(TL_ONE_COLOR) ||             \
         !defined(TL_AMBIENT) || !defined(TL_IDLE) || !defined(TL_MODELS_USED) ||          \
         !defined(TL_CHOICES) || !defined(TL_FIXED_EXPONENT) || !defined(TL_TIMED) ||      \
-        !defined(TL_SHAPES) || !defined(TL_SKY)
+        !defined(TL_SHAPES) || !defined(TL_SKY) || !defined(TL_POWER) ||                  \
+        !defined(TL_FORM) || !defined(TL_ROOT) || !defined(TL_ARITHMETIC)
 #        error "build the kernels through tl_program_build(), which passes every option"
 #    endif
 #    if TL_BY_PIXEL && TL_WIDTH != 1

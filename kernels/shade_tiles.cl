@@ -100,7 +100,7 @@ TL_INLINE received add_listed_lights(received sum,
         log2_of[i] = log2_of_power(cos2[i], sin2[i], s.shininess);
     for (uint i = 0; i < kept_count; i++)
         sum = add_lobe(sum, needs, colors_of(lights[kept[i]]), seen[i], shine[i],
-                       exp2_of_negative(log2_of[i]));
+                       power_of_log2(log2_of[i]));
     return sum;
 }
 

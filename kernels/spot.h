@@ -64,6 +64,8 @@ TL_INLINE mask in_cone(tl_view_spot spot, vec3 l, real distance2)
     return signed_square(along_axis(spot, l)) > spot.least_cos2 * distance2;
 }
 
+TL_BEGIN_LOOSE
+
 /* What the cone lets through, 0 to 1, in it. per_distance: 1/|l|. The cosine is off by 3u for its sum, 4.5u
  * for squares, root, quotient and product, u for the axis, which is rounded; what it is compared with by u;
  * so before it is squared the share is off by 9.5u scale + 3u at most (u = 2^-24, scale at most 1000).
@@ -76,6 +78,8 @@ TL_INLINE real cone_share(tl_view_spot spot, vec3 l, real per_distance)
     const real share = pick(not_above_one > R(0.0), not_above_one, R(0.0));
     return share * share;
 }
+
+TL_END_LOOSE
 
 TL_INLINE real farther(real a, real b)
 {

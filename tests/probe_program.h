@@ -14,16 +14,12 @@ static cl_program build_probe(const tl_device *device,
                               const char *text)
 {
     const char *texts[] = {tl_kernel_headers, text};
-    char flags[1024], log[4096] = "";
+    char flags[2048], log[4096] = "";
     cl_int code;
-    int length =
+    const int length =
         snprintf(flags, sizeof flags, "-cl-std=CL1.2 -w%s",
                  device->rounds_divide ? " -cl-fp32-correctly-rounded-divide-sqrt" : "");
-#define FLAG(macro, field)                                                                 \
-    length += snprintf(flags + length, sizeof flags - (size_t)length, " -D " #macro "=%u", \
-                       options->field);
-    TL_KERNEL_OPTIONS(FLAG)
-#undef FLAG
+    tl_kernel_flags(options, flags + length, sizeof flags - (size_t)length);
     cl_program program = clCreateProgramWithSource(device->context, 2, texts, NULL, &code);
     assert_int_equal(code, CL_SUCCESS);
     if (clBuildProgram(program, 1, &device->id, flags, NULL, NULL) != CL_SUCCESS) {

@@ -5,7 +5,7 @@
 
 #include <stdio.h>
 
-enum { MAX_FLAGS = 512, TEXT_COUNT = 2 };
+enum { MAX_FLAGS = 2048, TEXT_COUNT = 2 };
 
 static const char *const texts[TEXT_COUNT] = {tl_kernel_headers, tl_classic_cl};
 
@@ -13,13 +13,9 @@ static const char *const texts[TEXT_COUNT] = {tl_kernel_headers, tl_classic_cl};
  * entry of the cache is ready for the launches of whoever finds it. */
 static void format_flags(const tl_kernel_options *options, size_t items, char flags[MAX_FLAGS])
 {
-    int length = snprintf(flags, MAX_FLAGS, "-cl-std=CL1.2 -w -D CLASSIC_GRID_IS_LARGE=%d",
-                          items > UINT16_MAX);
-#define FLAG(macro, field)                                                                \
-    length += snprintf(flags + length, (size_t)(MAX_FLAGS - length), " -D " #macro "=%u", \
-                       options->field);
-    TL_KERNEL_OPTIONS(FLAG)
-#undef FLAG
+    const int length = snprintf(
+        flags, MAX_FLAGS, "-cl-std=CL1.2 -w -D CLASSIC_GRID_IS_LARGE=%d", items > UINT16_MAX);
+    tl_kernel_flags(options, flags + length, (size_t)(MAX_FLAGS - length));
 }
 
 static tl_status compile(const tl_device *device,

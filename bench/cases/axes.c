@@ -120,6 +120,21 @@ static tl_status set_path(tl_bench_case *of, const char *word, tl_error *err)
     return status;
 }
 
+/* Knobs of the kernels: a function each, for one is told the word alone. */
+#define KNOB_WORD(name, word, traits, off, meaning, source) word,
+#define KNOB_MEANING(name, word, traits, off, meaning, source) " " word ": " meaning "."
+#define SET_KNOB(name, flag, option, usual, rows, kind, kinds, meaning)                        \
+    static tl_status set_##name(tl_bench_case *of, const char *word, tl_error *err)            \
+    {                                                                                          \
+        static const char *const words[] = {rows(KNOB_WORD)};                                  \
+        size_t at = 0;                                                                         \
+        const tl_status status =                                                               \
+            tl_word_among("--" option, word, words, sizeof words / sizeof words[0], &at, err); \
+        of->lighting.approximations.of[name] = (uint32_t)at;                                   \
+        return status;                                                                         \
+    }
+TL_KNOBS(SET_KNOB)
+
 /* Any selector is a word; opening it says whether it names a device. */
 static tl_status set_device(tl_bench_case *of, const char *word, tl_error *err)
 {
@@ -166,4 +181,7 @@ const tl_bench_axis tl_bench_axes[TL_AXIS_COUNT] = {
                        "auto", NULL, set_width},
     [TL_AXIS_PATH] = {"path", "NAME,...", "How kernels share the work out." TL_PATHS(MEANING),
                       "auto", NULL, set_path},
-};
+#define KNOB_AXIS(name, flag, option, usual, rows, kind, kinds, meaning) \
+    [TL_AXIS_KNOBS +                                                     \
+        name] = {option, "NAME,...", meaning "." rows(KNOB_MEANING), usual, NULL, set_##name},
+    TL_KNOBS(KNOB_AXIS)};

@@ -25,7 +25,8 @@ typedef enum tl_bench_axis_name {
     TL_AXIS_PRECISION,
     TL_AXIS_WIDTH,
     TL_AXIS_PATH,
-    TL_AXIS_COUNT
+    TL_AXIS_KNOBS, /* one for each of kernels/knobs.h, from here on */
+    TL_AXIS_COUNT = TL_AXIS_KNOBS + TL_KNOB_COUNT
 } tl_bench_axis_name;
 
 enum { TL_BENCH_WORD_SIZE = 64 }; /* bytes */

@@ -18,13 +18,13 @@ typedef struct tl_bench_turns {
 typedef struct tl_bench_record {
     tl_bench_case of;
     tl_device_info device;
-    tl_peaks peaks;          /* of the device; all zero where none were measured */
-    uint32_t plane_count;    /* of the frame in full float */
-    uint32_t pixel_bytes;    /* of the G-buffer as it is packed */
-    uint32_t depth_bytes;    /* of those, what positions are read from */
-    uint32_t pitch, rows;    /* px */
-    double range;            /* m, of every light */
-    char build_options[512]; /* of the kernels, as the OpenCL compiler was given them */
+    tl_peaks peaks;           /* of the device; all zero where none were measured */
+    uint32_t plane_count;     /* of the frame in full float */
+    uint32_t pixel_bytes;     /* of the G-buffer as it is packed */
+    uint32_t depth_bytes;     /* of those, what positions are read from */
+    uint32_t pitch, rows;     /* px */
+    double range;             /* m, of every light */
+    char build_options[1024]; /* of the kernels, as the OpenCL compiler was given them */
     tl_lighting_counts counts;
     tl_pair_counts pairs;
     tl_bench_turns turns;

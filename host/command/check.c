@@ -188,6 +188,7 @@ static tl_status check_frame(tl_device *device,
     TRY(tl_image_create(camera->width, camera->height, &f->ratios, err));
     TRY(tl_check_create(frame->gbuffer, &frame->lights, frame->light_cutoff, cosine, &f->check,
                         err));
+    TRY(tl_check_allow(f->check, &options->approximations, err));
     forget_image(f->image);
     TRY(tl_lighting_create(device, &with_cutoff, &lighting, err));
     TRY(tl_lighting_run(lighting, frame->gbuffer, &frame->lights, f->image, NULL,

@@ -1,5 +1,6 @@
 #include "job_light.h"
 
+#include "approximation_options.h"
 #include "console.h"
 #include "light_words.h"
 #include "try.h"
@@ -89,6 +90,9 @@ tl_status job_light(
     options.keeps_tile_lights = told != NULL;
 
     console_stage("lighting");
+    approximations_tell(&options.approximations);
+    if (!tl_approximations_are_default(&options.approximations))
+        job_report(j, "approximations", approximations_json(&options.approximations));
     TRY(job_default_lights(j, err));
     tell_model(j);
     TRY(tl_image_create(camera->width, camera->height, &j->image, err));

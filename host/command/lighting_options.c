@@ -1,5 +1,6 @@
 #include "lighting_options.h"
 
+#include "approximation_options.h"
 #include "strict_options.h"
 #include "values.h"
 
@@ -73,7 +74,10 @@ static error_t parse(int key, char *text, struct argp_state *state)
         options->memory_limit =
             (uint64_t)(value_number(state, "--memory", text, 0.0, 1e9) * 1e6);
         return 0;
-    case ARGP_KEY_INIT: state->child_inputs[0] = &choice->strict; return 0;
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &choice->strict;
+        state->child_inputs[1] = &options->approximations;
+        return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
 }
@@ -111,6 +115,10 @@ static const struct argp_option options_table[] = {
     {0},
 };
 
-static const struct argp_child children[] = {{&strict_argp, 0, NULL, 0}, {0}};
+static const struct argp_child children[] = {
+    {&strict_argp, 0, NULL, 0},
+    {&approximation_argp, 0, "Accuracy for time (docs/approximations.md):", 0},
+    {0},
+};
 const struct argp lighting_argp = {
     .options = options_table, .parser = parse, .children = children};

@@ -7,6 +7,7 @@
 #include "needs.h"
 #include "tile_rect.h"
 
+#include "tilelight/approximations.h"
 #include "tilelight/effects.h"
 #include "tilelight/gbuffer.h"
 #include "tilelight/lights.h"
@@ -33,7 +34,8 @@ typedef struct tl_prepared {
     uint32_t two_colored_count; /* lights that add something, with lobes of different colours */
     /* of frame.brdfs_at, by the index of a pixel; NULL where the frame has none */
     const tl_brdf *rows;
-    tl_explanation explanation; /* where `needs` comes from */
+    tl_explanation explanation;       /* where `needs` comes from */
+    tl_approximations approximations; /* of the kernels; tl_prepare leaves them as they are */
 } tl_prepared;
 
 typedef struct tl_prepare_options {

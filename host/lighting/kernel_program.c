@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_FLAGS = 512, MAX_PROGRAMS = 32 };
+enum { MAX_FLAGS = 2048, MAX_PROGRAMS = 32 };
 
 struct tl_programs {
     tl_program of[MAX_PROGRAMS];
@@ -18,19 +18,32 @@ struct tl_programs {
     int count;
 };
 
-/* No -cl-fast-relaxed-math: the error bounds in kernels/ assume IEEE arithmetic. */
+void tl_kernel_flags(const tl_kernel_options *options, char *text, size_t size)
+{
+    size_t length = 0;
+#define FLAG(macro, field)                                                            \
+    if (length < size)                                                                \
+        length += (size_t)snprintf(text + length, size - length, " -D " #macro "=%u", \
+                                   options->field);
+    TL_KERNEL_OPTIONS(FLAG)
+#undef FLAG
+#define FLAG(name, flag, word, usual, rows, kind, kinds, meaning)                    \
+    if (length < size)                                                               \
+        length += (size_t)snprintf(text + length, size - length, " -D " #flag "=%u", \
+                                   options->approximations.of[name]);
+    TL_KNOBS(FLAG)
+#undef FLAG
+}
+
+/* No -cl-fast-relaxed-math: the error bounds in kernels/ assume IEEE arithmetic, and culling hangs on it;
+ * what may be loosened, dialect.h encloses. */
 static void format_flags(const tl_device *device, const tl_program *made, char flags[MAX_FLAGS])
 {
-    const tl_kernel_options *options = &made->options;
-    int length =
+    const int length =
         snprintf(flags, MAX_FLAGS, "-cl-std=CL1.2 -w%s%s",
                  device->rounds_divide ? " -cl-fp32-correctly-rounded-divide-sqrt" : "",
                  made->user.text ? " -cl-kernel-arg-info" : ""); /* to check them */
-#define FLAG(macro, field)                                                                \
-    length += snprintf(flags + length, (size_t)(MAX_FLAGS - length), " -D " #macro "=%u", \
-                       options->field);
-    TL_KERNEL_OPTIONS(FLAG)
-#undef FLAG
+    tl_kernel_flags(&made->options, flags + length, (size_t)(MAX_FLAGS - length));
 }
 
 /* Of what ends a log. */

@@ -6,14 +6,21 @@
 #include "options.h"
 #include "program_keeper.h"
 
+#include "tilelight/approximations.h"
+
 #include <stdint.h>
 
-/* One field per line of TL_KERNEL_OPTIONS, documented there. */
+/* One field per line of TL_KERNEL_OPTIONS, documented there; and one of each knob of knobs.h. */
 typedef struct tl_kernel_options {
 #define FIELD(macro, field) uint32_t field;
     TL_KERNEL_OPTIONS(FIELD)
 #undef FIELD
+    tl_approximations approximations;
 } tl_kernel_options;
+
+/* The -D flags of these, each with a blank before it. text: [size], NUL-terminated, cut to fit; 1024 bytes
+ * hold them all. */
+void tl_kernel_flags(const tl_kernel_options *options, char *text, size_t size);
 
 /* Parts of a frame's work have a program each: scenes differ in what shading is built for, and share
  * the kernels that cull, which take the longest to compile. */

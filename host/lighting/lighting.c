@@ -54,6 +54,33 @@ static int is_one_of(uint32_t value, const uint32_t *values, size_t count)
     return 0;
 }
 
+/* What of the choices this precision cannot compute. */
+static tl_status check_approximations(const tl_lighting_options *options, tl_error *err)
+{
+    const tl_approximations *of = &options->approximations;
+    char lacking[128] = "";
+    tl_status status = TL_OK;
+    TRY(tl_approximations_check(of, err));
+    if (options->precision == TL_PRECISION_REFERENCE && !tl_approximations_are_default(of))
+        TRY(tl_fail(err, TL_ERR_ARGUMENT,
+                    "the reference approximates nothing, it is what approximations are held "
+                    "against: leave them out, or use --precision float"));
+    if (options->precision == TL_PRECISION_TWIN)
+        tl_approximations_lacking(of, TL_KNOB_SAME_BITS, lacking, sizeof lacking);
+    if (lacking[0])
+        TRY(tl_fail(err, TL_ERR_ARGUMENT,
+                    "the twin is C, and %s is up to the device or its compiler: use "
+                    "--precision float",
+                    lacking));
+    if (precisions[options->precision].is_double)
+        tl_approximations_lacking(of, TL_KNOB_DOUBLE, lacking, sizeof lacking);
+    if (lacking[0])
+        TRY(tl_fail(err, TL_ERR_ARGUMENT, "%s is of floats alone: use --precision float",
+                    lacking));
+done:
+    return status;
+}
+
 static tl_status check_options(const tl_device *device,
                                const tl_lighting_options *options,
                                tl_error *err)
@@ -68,8 +95,9 @@ static tl_status check_options(const tl_device *device,
     if (!(options->light_cutoff >= 0.0f && options->light_cutoff < INFINITY))
         return tl_fail(err, TL_ERR_ARGUMENT, "a light cutoff of %g lx: it must be 0 or above",
                        (double)options->light_cutoff);
-    if (precisions[options->precision].on_host)
-        return TL_OK;
+    const tl_status status = check_approximations(options, err);
+    if (status != TL_OK || precisions[options->precision].on_host)
+        return status;
     if (!device)
         return tl_fail(err, TL_ERR_ARGUMENT, "this precision needs a device");
     if (is_by_pixel(device, options) && options->vector_width > 1)
@@ -131,6 +159,9 @@ tl_kernel_options tl_lighting_kernels(const tl_lighting *lighting, const tl_need
     return (tl_kernel_options){.width = width,
                                .by_pixel = (uint32_t)by_pixel,
                                .real_double = (uint32_t)is_double,
+                               .precise_power =
+                                   o->approximations.of[TL_KNOB_POWER] == TL_POWER_LIBRARY,
+                               .approximations = o->approximations,
                                .orthographic = needs->orthographic,
                                .layout = needs->layout,
                                .present = needs->present,
@@ -159,6 +190,14 @@ static void keep_programs(const tl_device *device,
             kept |= tl_program_keep(device, context->programs[part]);
     if (kept)
         tl_timings_end(timings, "keep", clock);
+}
+
+/* On the host. */
+static tl_arithmetic arithmetic_of(const tl_lighting_options *options)
+{
+    return tl_approximations_are_default(&options->approximations)
+               ? precisions[options->precision].arithmetic
+               : TL_TWIN_CHOSEN;
 }
 
 static tl_status run_on_device(tl_lighting *lighting,
@@ -370,12 +409,12 @@ tl_status tl_lighting_run(tl_lighting *lighting,
                                          .light_cutoff = options->light_cutoff,
                                          .effects = options->effects},
                    notices, &lighting->prepared, err));
+    lighting->prepared.approximations = options->approximations;
     clock = tl_timings_end(timings, "prepare", clock);
     frame_counts = counts_of(&lighting->prepared);
     TRY(keep_tiles(lighting, &frame_counts, err));
     if (tl_lighting_is_on_host(lighting)) {
-        tl_reference_light(&lighting->prepared, gbuffer,
-                           precisions[options->precision].arithmetic, image);
+        tl_reference_light(&lighting->prepared, gbuffer, arithmetic_of(options), image);
         tl_timings_end(timings, "shade", clock);
         frame_counts.list_length =
             (uint64_t)frame_counts.ranged_light_count * frame_counts.tile_count;

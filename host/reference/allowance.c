@@ -110,6 +110,7 @@ static rough_surface rough_surface_of(
         surface_of(frame, prepared->needs, in, exponent, (real)column, (scalar)row);
     const double world2 = dot3(in.normal, in.normal), eye2 = dot3(s.position, s.position);
     rough_surface r = {.exact = s,
+                       .off = tl_approximations_off(&prepared->approximations),
                        .moved_x = moved_along(ray_x, step_x, in.depth, parallel),
                        .moved_y = moved_along(ray_y, step_y, in.depth, parallel),
                        .made = made,
@@ -141,10 +142,13 @@ static way way_to(const rough_surface *s, tl_view_light light, int global)
 {
     const vec3 l = vector_to_light(s->exact.position, light);
     const vec3 moves = {s->moved_x + U * fabs(l.x), s->moved_y + U * fabs(l.y), U * fabs(l.z)};
-    way w = {.l = l, .l_moved = length_of(moves), .exact = length_of(l)};
+    way w = {.l = l,
+             .l_moved = length_of(moves),
+             .exact = length_of(l),
+             .root_off = global ? 0.0 : s->off.root};
     w.distance2 = distance2_of(w.exact, w.l_moved);
-    w.distance = (interval){sqrt(w.distance2.low) * (1.0 - root * U),
-                            sqrt(w.distance2.high) * (1.0 + root * U)};
+    w.distance = (interval){sqrt(w.distance2.low) * (1.0 - root * U - w.root_off),
+                            sqrt(w.distance2.high) * (1.0 + root * U + w.root_off)};
     w.may_reach = global || (w.distance2.low < (double)light.range2 &&
                              w.distance2.high > TL_LEAST_DISTANCE2);
     w.does_reach = w.distance2.high < most_square && w.distance2.low > TL_LEAST_DISTANCE2 &&
@@ -184,10 +188,10 @@ static interval linear_from_weight(interval distance, double fade, tl_u32 offset
 
 /* max(0, 1 - (d2 fade)^2) falls with d2: 3u in the square, u in the difference. 1/d^2, from 1/d:
  * root, division and square beyond what d2 is off, 23u; cut where the light is near. */
-static interval inverse_square_weight(interval distance2, double fade)
+static interval inverse_square_weight(interval distance2, double fade, double root_off)
 {
     const double near = distance2.low * fade, far = distance2.high * fade;
-    const double quotient = (2.0 * (root + division) + 1.0) * U;
+    const double quotient = (2.0 * (root + division) + 1.0) * U + root_off * (2.0 + root_off);
     const double most = TL_MOST_PER_DISTANCE2;
     const double dim = 1.0 / distance2.high * (1.0 - quotient);
     const double bright =
@@ -207,7 +211,7 @@ static interval weight_of(tl_view_light light, const way *w)
         return linear_weight(w->distance, (double)light.fade);
     if (falloff_row(light.falloff) == TL_FADE_LINEAR_FROM)
         return linear_from_weight(w->distance, (double)light.fade, light.falloff);
-    return inverse_square_weight(w->distance2, (double)light.fade);
+    return inverse_square_weight(w->distance2, (double)light.fade, w->root_off);
 }
 
 /* What the cone of a spot lets through. */
@@ -236,8 +240,8 @@ static aperture aperture_of(tl_view_spot spot, const way *w)
         return (aperture){{0.0, 1.0}, 1, 0};
     const double above = dot3(axis, w->l) / w->exact - (double)spot.least_cos;
     const double off = chord(w->l_moved, w->exact) + (3.0 + unit_length + 3.0) * U;
-    const interval share = {(above - off) * (double)spot.scale,
-                            (above + off) * (double)spot.scale};
+    const interval share = {(above - off - w->root_off) * (double)spot.scale,
+                            (above + off + w->root_off) * (double)spot.scale};
     return (aperture){clamped_square(share), above > -off, above > off};
 }
 
@@ -247,7 +251,7 @@ static incidence incidence_of(const rough_surface *s, const way *w)
 {
     const vec3 n = s->exact.normal;
     const double terms = fabs(n.x * w->l.x) + fabs(n.y * w->l.y) + fabs(n.z * w->l.z);
-    const double scaled = (unit_length + unit_length) * U;
+    const double scaled = (unit_length + unit_length) * U + w->root_off;
     incidence out = {.may_be_above = 1, .cosine = {0.0, 1.0 + scaled}};
     if (!s->has_normal || !(w->exact > 0.0))
         return out;

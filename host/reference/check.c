@@ -53,6 +53,24 @@ void tl_check_destroy(tl_check *check)
     free(check);
 }
 
+tl_status tl_check_allow(tl_check *check, const tl_approximations *of, tl_error *err)
+{
+    char lacking[128];
+    tl_status status = TL_OK;
+    TRY(tl_approximations_check(of, err));
+    tl_approximations_lacking(of, TL_KNOB_BOUNDED, lacking, sizeof lacking);
+    if (lacking[0])
+        TRY(tl_fail(err, TL_ERR_ARGUMENT,
+                    "%s: nobody says how far it may be off, so a picture cannot be checked "
+                    "for it; `tilelight compare' says how far it is",
+                    lacking));
+    check->prepared.approximations = *of;
+    if (of->of[TL_KNOB_FORM] == TL_FORM_TEXTBOOK)
+        check->cosine = TL_COSINE_TEXTBOOK;
+done:
+    return status;
+}
+
 /* 0 / 0 is 0: what may not be off, and is not. */
 static double ratio_of(float got, double expected, double low, double high)
 {

@@ -7,13 +7,14 @@
 #include "tilelight/image.h"
 
 /* X(name, word) */
-#define TL_ARITHMETICS(X)     \
-    X(TL_TWIN_FLOAT, float)   \
-    X(TL_TWIN_DOUBLE, double) \
+#define TL_ARITHMETICS(X)           \
+    X(TL_TWIN_FLOAT, float)         \
+    X(TL_TWIN_CHOSEN, chosen_float) \
+    X(TL_TWIN_DOUBLE, double)       \
     X(TL_TWIN_REFERENCE, reference)
 
-/* float and double give the bits of the kernels of that precision; reference is double with the
- * library's powers, the yardstick of every error. */
+/* float and double give the bits of the kernels of that precision; chosen those of the kernels in float under
+ * prepared->approximations; reference is double with the library's powers, the yardstick of every error. */
 typedef enum tl_arithmetic {
 #define TL_ARITHMETIC_NAME(name, word) name,
     TL_ARITHMETICS(TL_ARITHMETIC_NAME)

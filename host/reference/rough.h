@@ -51,6 +51,7 @@ typedef struct rough_surface {
     int is_lit;              /* 0: it has no normal, and no light reaches it */
     int has_normal, has_eye; /* 0: its square leaves the range of float */
     interval exponent, alpha2;
+    tl_off off; /* of what kernels approximate */
 } rough_surface;
 
 /* The way to a light. A directional light has no position: l is its unit vector, as given. */
@@ -59,6 +60,7 @@ typedef struct way {
     double l_moved;               /* m, in any direction */
     double exact;                 /* m, |l| */
     interval distance, distance2; /* as computed */
+    double root_off;              /* share of itself that 1/|l| is approximated to */
     int may_reach, does_reach;
 } way;
 

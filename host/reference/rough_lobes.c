@@ -74,6 +74,19 @@ static double log_of_power(double cosine, double exponent)
     return exponent > 0.0 ? exponent * log(cosine) : 0.0;
 }
 
+/* What an approximated quotient does to both squares, beyond the first order: less than as much again,
+ * times it. */
+static double squared_off(const tl_off *off)
+{
+    return off->quotient * (1.0 + 2.0 * off->quotient);
+}
+
+/* What an approximated exp2 does to a power, which is at least half of the power of two above. */
+static double power_off(const tl_off *off)
+{
+    return 2.1 * off->exp2;
+}
+
 /* How far the logarithm may be off in the stable form, for exact n and h. Of s = sin, c = cos:
  *   near the peak  sin^2 is off by 9u s^2 for its squares and quotient, 4u s^2 for a division less
  *                  exact than IEEE's, 27u s^2 where h is made unit beforehand, and by (30u)^2 for
@@ -83,34 +96,44 @@ static double log_of_power(double cosine, double exponent)
  *                  and quotient. (What rounds in n.h itself counts as a turn of h.)
  * Both branches meet at s^2 = 1/4; the second bound is the larger one there. Then log2 or log1p,
  * its factor, and the product with e/2: 14u of the logarithm; and the power itself. */
-static double stable_error(double cosine, double exponent, double log_power)
+static double stable_error(const tl_off *off, double cosine, double exponent, double log_power)
 {
-    const double sin2 = clamp_low(1.0 - cosine * cosine);
-    const double near_peak = (40.0 * sin2 + 900.0 * U) / (cosine * cosine);
-    const double of_square = sin2 < 0.2 ? near_peak : 62.0;
-    return U * (0.5 * exponent * of_square + 14.0 * -log_power + power);
-}
-
-/* pow(n.h, e): n.h is off by 3u for its sum, and by 27u + 6u of itself for lengths and quotient. */
-static interval textbook_power(interval cosine, interval exponent)
-{
-    const double low = clamp_low(cosine.low * (1.0 - 33.0 * U) - 3.0 * U);
-    const double high = cosine.high * (1.0 + 33.0 * U) + 3.0 * U;
-    const double low_exponent = high < 1.0 ? exponent.low : exponent.high;
-    return (interval){exp(log_of_power(low, exponent.high)) * (1.0 - power * U),
-                      exp(log_of_power(high, low_exponent)) * (1.0 + power * U)};
+    const double sin2 = clamp_low(1.0 - cosine * cosine), cos2 = cosine * cosine;
+    const double quotient = squared_off(off);
+    const double near_peak =
+        (U * (40.0 * sin2 + 900.0 * U) + quotient * sin2 + off->cosine) / cos2;
+    const double of_square = sin2 < 0.2 ? near_peak : 62.0 * U + quotient + off->cosine;
+    return 0.5 * exponent * of_square + (14.0 * U + off->log2) * -log_power + power * U +
+           power_off(off);
 }
 
 /* A power below 2^-63 is as good as 0: kernels/specular.h ends at 2^-64. */
 static const double floor_of_power = 0x1p-63;
 
-static interval stable_power(interval cosine, interval exponent)
+/* pow(n.h, e): n.h is off by 3u for its sum, and by 27u + 6u of itself for lengths and quotient. */
+static interval textbook_power(const tl_off *off, interval cosine, interval exponent)
+{
+    const double steps = 33.0 * U + 0.5 * (squared_off(off) + off->cosine);
+    const double low = clamp_low(cosine.low * (1.0 - steps) - 3.0 * U);
+    const double high = cosine.high * (1.0 + steps) + 3.0 * U;
+    const double low_exponent = high < 1.0 ? exponent.low : exponent.high;
+    const double dim = log_of_power(low, exponent.high),
+                 bright = log_of_power(high, low_exponent);
+    const double by = power * U + power_off(off);
+    const double more = 1.0 + off->log2, less = 1.0 - off->log2;
+    return (interval){
+        clamp_low(exp(dim * (dim < 0.0 ? more : less)) * (1.0 - by) - floor_of_power),
+        exp(bright * (bright < 0.0 ? less : more)) * (1.0 + by) + floor_of_power};
+}
+
+static interval stable_power(const tl_off *off, interval cosine, interval exponent)
 {
     const double low = log_of_power(cosine.low, exponent.high);
     const double high = log_of_power(cosine.high, exponent.low);
-    const double dim = exp(low - stable_error(cosine.low, exponent.high, low)) - floor_of_power;
+    const double dim =
+        exp(low - stable_error(off, cosine.low, exponent.high, low)) - floor_of_power;
     const double bright =
-        exp(high + stable_error(cosine.high, exponent.low, high)) + floor_of_power;
+        exp(high + stable_error(off, cosine.high, exponent.low, high)) + floor_of_power;
     const double most = 1.0 + power * U;
     return (interval){cosine.low > 0.0 ? clamp_low(dim) : 0.0, bright < most ? bright : most};
 }
@@ -121,8 +144,8 @@ static interval power_of(const rough_surface *s, interval cosine, tl_cosine form
 {
     if (cosine.high < 0.0)
         return nothing;
-    return form == TL_COSINE_TEXTBOOK ? textbook_power(cosine, s->exponent)
-                                      : stable_power(cosine, s->exponent);
+    return form == TL_COSINE_TEXTBOOK ? textbook_power(&s->off, cosine, s->exponent)
+                                      : stable_power(&s->off, cosine, s->exponent);
 }
 
 /* Of an angle known to within a turn; what is behind is below 0. */

@@ -119,7 +119,7 @@ FAULTS = [
     Fault("repair-value", "a colour that is no number is not repaired", "host/gbuffer/repair.c",
           "if (!(v == repaired_value)) {", "if (v < repaired_value || v > repaired_value) {",
           "test_repair", []),
-    Fault("power-unbounded", "powers too small for a float are taken for its bits", "kernels/specular.h",
+    Fault("power-unbounded", "powers too small for a float are taken for its bits", "kernels/power.h",
           "pick(below > R(-64.0), below, R(-64.0))", "below", *hard("powers")),
     Fault("cut-removed", "what is no number leaves its pixel", "kernels/pixel.h",
           "pick(radiance < TL_MOST_FLOAT, radiance, TL_MOST_FLOAT)", "radiance", *hard("nan-pixel")),
@@ -136,4 +136,14 @@ FAULTS = [
           "test_model_accuracy", []),
     Fault("model-constant", "diffuse light under a coat is bounded by 1.05", "kernels/lobe_metal_rough.h",
           "FMA(-graze, f.f90, R(1.0))", "FMA(-graze, f.f90, R(1.05))", "test_model_accuracy", []),
+    # What accuracy is given away for.
+    Fault("short-polynomial", "a coefficient of a polynomial of degree 5 is off in its fourth digit",
+          "kernels/power.h", "FMA(m, p, R(0.4846482816))", "FMA(m, p, R(0.4849482816))",
+          "test_knob_formulas", []),
+    Fault("guess-constant", "the guess of 1/x is not the best", "kernels/root.h",
+          "#define TL_GUESS_OF_RECIPROCAL 0x7ef31200", "#define TL_GUESS_OF_RECIPROCAL 0x7ef11200",
+          "test_knob_formulas", []),
+    Fault("root-unallowed", "what is checked may not be off by as much as the knob of roots says",
+          "host/frame/approximations.c", "sum.root += off->root;", "sum.root += 0.0 * off->root;",
+          "test_knob_frames", []),
 ]

@@ -4,6 +4,7 @@
 #ifndef TL_CHECK_H
 #define TL_CHECK_H
 
+#include "approximations.h"
 #include "gbuffer.h"
 #include "image.h"
 #include "lights.h"
@@ -42,6 +43,10 @@ tl_status tl_check_create(const tl_gbuffer *gbuffer,
 
 /* Accepts NULL. */
 void tl_check_destroy(tl_check *check);
+
+/* From now on pictures may be off by so much more as these are (kernels/knobs.h). The textbook's form brings
+ * TL_COSINE_TEXTBOOK. Fails with TL_ERR_ARGUMENT, naming one that nobody bounds. */
+tl_status tl_check_allow(tl_check *check, const tl_approximations *of, tl_error *err);
 
 /* One value of a picture beside what it may be. */
 typedef struct tl_check_value {

@@ -2,6 +2,7 @@
 #ifndef TL_LIGHTING_H
 #define TL_LIGHTING_H
 
+#include "approximations.h"
 #include "effects.h"
 #include "gbuffer.h"
 #include "image.h"
@@ -121,6 +122,9 @@ typedef struct tl_lighting_options {
     uint32_t vector_width;
     int keeps_tile_lights;   /* 1: for tl_lighting_tile_lights, tl_lighting_effect_use */
     tl_effects_mode effects; /* the picture is the same bit for bit */
+    /* another picture, in another time; TL_PRECISION_REFERENCE has none, TL_PRECISION_TWIN those that are the
+     * same bit for bit everywhere */
+    tl_approximations approximations;
     float light_cutoff; /* a light without a range ends where it gives this (lx); 0: never */
     uint64_t
         memory_limit; /* bytes of device memory beside shared ones; 0: what the device has */
