@@ -7,8 +7,11 @@
 
 static size_t count_that_fit(const tl_study_plan *plan, uint32_t present, int has_endless)
 {
-    const tl_study_needs needs = {
-        .present = present, .has_endless = has_endless, .has_double = 1};
+    const tl_study_needs needs = {.present = present,
+                                  .has_endless = has_endless,
+                                  .has_highlights =
+                                      (present & (TL_GROUP_PHONG | TL_GROUP_METAL_ROUGH)) != 0,
+                                  .has_double = 1};
     size_t count = 0;
     for (size_t i = 0; i < plan->count; i++)
         count += (size_t)tl_study_config_fits(&plan->configs[i], &needs);
@@ -26,7 +29,7 @@ static int has(const tl_study_plan *plan, const char *title)
     return 0;
 }
 
-/* What the issue of a study is: enough points, of every knob. */
+/* Enough points, of every knob. */
 static void usual_plans_are_large_enough(void **state)
 {
     static const struct {

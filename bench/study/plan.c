@@ -7,6 +7,10 @@
 
 enum { MOST_CONFIGS = 10000, MOST_LIST = 1024 };
 
+#define POWER (TL_STUDY_KNOB_APPROXIMATIONS + TL_KNOB_POWER)
+#define ROOT (TL_STUDY_KNOB_APPROXIMATIONS + TL_KNOB_ROOT)
+#define MATH (TL_STUDY_KNOB_APPROXIMATIONS + TL_KNOB_ARITHMETIC)
+
 /* Words together, each with what it is hoped to show. */
 static const tl_study_lists products[] = {
     /* that double arithmetic on packed numbers buys nothing */
@@ -28,11 +32,27 @@ static const tl_study_lists products[] = {
     {{[TL_STUDY_KNOB_LAYOUT] = "compact-16,compact-12",
       [TL_STUDY_KNOB_CUTOFF] = "1e-4,1e-3,1e-2"}},
     {{[TL_STUDY_KNOB_PRECISION] = "double", [TL_STUDY_KNOB_CUTOFF] = "1e-4,1e-2"}},
+    /* forms that are about as far off as each other, and as the layout */
+    {{[POWER] = "degree-6,degree-4", [ROOT] = "rsqrt,newton-2"}},
+    {{[POWER] = "degree-3", [ROOT] = "newton-1", [MATH] = "strict,contract"}},
+    {{[POWER] = "native", [ROOT] = "native", [MATH] = "relaxed"}},
+    {{[TL_STUDY_KNOB_LAYOUT] = "compact-16,compact-12",
+      [POWER] = "degree-4,degree-3",
+      [ROOT] = "newton-2"}},
+    {{[TL_STUDY_KNOB_LAYOUT] = "compact-12", [MATH] = "contract,relaxed"}},
+    {{[TL_STUDY_KNOB_LAYOUT] = "compact-12",
+      [POWER] = "native",
+      [ROOT] = "native",
+      [MATH] = "relaxed"}},
 };
 
 static const tl_study_lists quick_products[] = {
     {{[TL_STUDY_KNOB_LAYOUT] = "compact-12", [TL_STUDY_KNOB_PRECISION] = "double"}},
     {{[TL_STUDY_KNOB_LAYOUT] = "compact-12", [TL_STUDY_KNOB_OUTPUT] = "png"}},
+    {{[POWER] = "degree-5,degree-3"}},
+    {{[ROOT] = "newton-1"}},
+    {{[MATH] = "relaxed"}},
+    {{[TL_STUDY_KNOB_LAYOUT] = "compact-12", [POWER] = "degree-3", [MATH] = "relaxed"}},
 };
 
 /* The words of one list. */

@@ -18,6 +18,21 @@ const char *const tl_study_cause_meanings[] = {TL_STUDY_CAUSES(CAUSE_MEANING)};
 #define COMPRESSION_WORD(name, word, exact, meaning) word,
 #define COMMA_COMPRESSION(name, word, exact, meaning) "," word
 #define ALL(list) (&(list)[1])
+#define ROW_WORD(name, word, traits, off, meaning, source) "," word
+
+/* A knob of the kernels; its first row is the exact one. */
+#define APPROXIMATION(knob, flag, word, first, rows, kind, kinds, said)        \
+    [TL_STUDY_KNOB_APPROXIMATIONS + knob] = {                                  \
+        .name = word,                                                          \
+        .meaning = said,                                                       \
+        .trades = "how near a form is to what it stands for, for operations",  \
+        .cause = TL_STUDY_APPROXIMATION,                                       \
+        .usual = first,                                                        \
+        .exact = first,                                                        \
+        .alone = "all",                                                        \
+        .all = ALL(rows(ROW_WORD)),                                            \
+        .axis = TL_AXIS_KNOBS + knob,                                          \
+        .fits = fits_approximations},
 
 static tl_status set_cutoff(tl_study_config *config, const char *word, tl_error *err)
 {
@@ -57,6 +72,15 @@ static int can_double(const tl_study_needs *needs, const tl_study_config *config
 static int has_endless(const tl_study_needs *needs, const tl_study_config *config)
 {
     return needs->has_endless || config->cutoff == 0.0;
+}
+
+/* Those of highlights are for frames that have some; and some are not there in double. */
+static int fits_approximations(const tl_study_needs *needs, const tl_study_config *config)
+{
+    const tl_approximations *of = &config->of.lighting.approximations;
+    return (needs->has_highlights || (of->of[TL_KNOB_POWER] == 0 && of->of[TL_KNOB_FORM] == 0)) &&
+           (config->of.lighting.precision != TL_PRECISION_DOUBLE ||
+            tl_approximations_have(of, TL_KNOB_DOUBLE));
 }
 
 const tl_study_knob tl_study_knobs[TL_STUDY_KNOB_COUNT] = {
@@ -120,6 +144,7 @@ const tl_study_knob tl_study_knobs[TL_STUDY_KNOB_COUNT] = {
                               .axis = -1,
                               .set = set_cutoff,
                               .fits = has_endless},
+    TL_KNOBS(APPROXIMATION)
     [TL_STUDY_KNOB_CULL] =
         {.name = "cull",
          .meaning = "which lights a tile computes",
