@@ -14,6 +14,7 @@ add_dependencies(test_command_bench tilelight)
 # The study: tests of what it says, whatever the times are.
 tl_test(test_study_plan unit tl_study)
 tl_test(test_study_front unit tl_study)
+tl_test(test_study_intervals unit tl_study)
 tl_test(test_study_json unit tl_study)
 tl_test(test_study_run device tl_study)
 tl_test(test_command_study command tl_base PkgConfig::JANSSON)

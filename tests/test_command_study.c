@@ -44,6 +44,7 @@ static void usage_errors_are_said(void **state)
         {"-o d --size 64", "--size: \"64\" is no size"},
         {"-o d --lights l.json", "--lights goes with a scene"},
         {"-o d --camera 1", "--camera is for scenes"},
+        {"-o d --anew --again", "--anew forgets what --again is to measure"},
     };
     (void)state;
     for (size_t i = 0; i < COUNT_OF(rows); i++) {
@@ -97,6 +98,29 @@ static void studies_leave_data_and_maps(void **state)
     expect_run("test -z \"$(find s -name '.*' -type f)\"", 0, "", "");
 }
 
+/* Of the study that the one before left: its command stays, and both runs stand in the data. */
+static void second_runs_are_told(void **state)
+{
+    (void)state;
+    json_t *root = read_json("s/study.json");
+    char *command = strdup(json_string_value(json_object_get(root, "command")));
+    json_decref(root);
+    expect_run(TINY "-o s --knob layout=compact-12,tutorial,merlin --again", 0,
+               "of 4 stay inside their intervals", "");
+    root = read_json("s/study.json");
+    assert_string_equal(json_string_value(json_object_get(root, "command")), command);
+    for (size_t i = 0; i < 4; i++) {
+        const json_t *again = json_object_get(json_array_get(configurations(root), i), "again");
+        assert_true(json_is_boolean(json_object_get(again, "stays")));
+        assert_string_equal(json_string_value(json_object_get(again, "of")), "light_ratio");
+    }
+    json_decref(root);
+    free(command);
+    expect_run(TINY "-o nothing --again", 2, "", "spheres: nothing of it is measured yet");
+    expect_run("$T study --size 16x16 --quick -o s --again", 2, "",
+               "spheres: it was another frame that was measured under this name");
+}
+
 /* A capture of the user's, with lights of the user's; and two that have one name. */
 static void captures_are_studied(void **state)
 {
@@ -141,6 +165,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(usage_errors_are_said),
         cmocka_unit_test(studies_leave_data_and_maps),
+        cmocka_unit_test(second_runs_are_told),
         cmocka_unit_test(captures_are_studied),
         cmocka_unit_test(interrupted_studies_go_on),
     };

@@ -79,27 +79,11 @@ static void random_points_agree_with_the_definition(void **state)
     }
 }
 
-/* Halves that agree, and that do not. */
-static void halves_make_a_time(void **state)
-{
-    const tl_summary agree[2] = {{.count = 7, .median = 2.0, .interval = {1.5, 2.5, 0.95}},
-                                 {.count = 6, .median = 3.0, .interval = {2.25, 3.5, 0.95}}};
-    const tl_summary apart[2] = {{.count = 6, .median = 3.0, .interval = {2.6, 3.5, 0.95}},
-                                 {.count = 7, .median = 2.0, .interval = {1.5, 2.5, 0.95}}};
-    const tl_study_time a = tl_study_time_of(agree), b = tl_study_time_of(apart);
-    (void)state;
-    assert_true(a.median == 2.5 && a.low == 1.5 && a.high == 3.5 && a.samples == 13);
-    assert_false(a.is_unstable);
-    assert_true(b.median == 2.5 && b.low == 1.5 && b.high == 3.5);
-    assert_true(b.is_unstable);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(cases_come_out),
         cmocka_unit_test(random_points_agree_with_the_definition),
-        cmocka_unit_test(halves_make_a_time),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

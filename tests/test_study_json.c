@@ -25,6 +25,8 @@ static tl_study_record random_record(uint32_t *seed, const char *layout)
         if (*seed >> 30)
             r.values[i] = ldexp(*seed, (int)(*seed >> 24) - 128);
     }
+    if (*seed >> 31)
+        tl_study_note_again(&r, r.times);
     snprintf(r.worst_cause, sizeof r.worst_cause, "storage");
     snprintf(r.worst_detail, sizeof r.worst_detail, "normal");
     snprintf(r.map, sizeof r.map, "maps/a \"b\".png");
@@ -79,6 +81,8 @@ static void assert_same_record(const tl_study_record *a, const tl_study_record *
     for (int i = 0; i < TL_STUDY_VALUE_COUNT; i++)
         if (!is_near(a->values[i], b->values[i]))
             fail_msg("%s: %g is %g", tl_study_value_rows[i].name, a->values[i], b->values[i]);
+    assert_true(is_near(a->again.median, b->again.median));
+    assert_int_equal(tl_study_stays(a), tl_study_stays(b));
     assert_string_equal(a->worst_cause, b->worst_cause);
     assert_string_equal(a->worst_detail, b->worst_detail);
     assert_string_equal(a->map, b->map);

@@ -56,7 +56,7 @@ static tl_study_options fast(const char *folder)
 {
     tl_study_options options = tl_study_options_default();
     options.folder = folder;
-    options.rule = (tl_sampling_rule){.least_samples = 1, .seconds = 0.001};
+    options.seconds = 0.001;
     return options;
 }
 
@@ -238,7 +238,7 @@ static void studies_go_on_where_they_ended(void **state)
     assert_int_equal(again.results[0].count, 5);
     assert_int_equal(run(&again, &frame, &plan, &options, NULL), 0);
 
-    options.rule.seconds *= 2.0; /* timed more closely: all again, in place of what was */
+    options.seconds *= 2.0; /* timed more closely: all again, in place of what was */
     assert_int_equal(run(&again, &frame, &plan, &options, NULL), 5);
     assert_int_equal(again.results[0].count, 5);
     frame.lights.lights[0].intensity *= 2.0f; /* another frame of that name */
@@ -250,7 +250,61 @@ static void studies_go_on_where_they_ended(void **state)
     tl_study_frame_clear(&frame);
 }
 
-/* Of the file that the one before left. */
+/* A first run that cannot be right is told from one that cannot be wrong; nothing else of it changes. */
+static void second_runs_are_held_against_the_first(void **state)
+{
+    tl_study_frame frame = make_frame("spheres", 16);
+    tl_study study = new_study();
+    tl_study_plan plan = {0};
+    tl_study_options options = fast(*state);
+    size_t twice, stay;
+    tl_error err;
+    add(&plan, "float,float-forward", NULL, NULL, NULL, NULL);
+    add(&plan, "float", "zip", NULL, NULL, NULL);
+    assert_int_equal(run(&study, &frame, &plan, &options, NULL), 4);
+    for (size_t i = 0; i < 4; i++) {
+        tl_study_record *r = &study.results[0].records[i];
+        tl_study_time *stated = &r->times[tl_study_judged(r)];
+        stated->low = i < 2 ? 0.0 : 1e8;
+        stated->high = 1e9;
+        stated->is_unstable = 0;
+    }
+    const tl_study_record before = *find(&study, "precision=twin");
+    tl_study_count_again(&study, &twice, &stay);
+    assert_int_equal(twice, 0);
+
+    options.again = 1;
+    assert_int_equal(run(&study, &frame, &plan, &options, NULL), 4);
+    tl_study_count_again(&study, &twice, &stay);
+    assert_int_equal(twice, 4);
+    assert_int_equal(stay, 2);
+    for (size_t i = 0; i < 4; i++) {
+        const tl_study_record *r = &study.results[0].records[i];
+        assert_int_equal(r->times[tl_study_judged(r)].is_unstable, i >= 2);
+    }
+    const tl_study_record *after = find(&study, "precision=twin");
+    assert_memory_equal(after->values, before.values, sizeof before.values);
+    assert_true(after->times[TL_TIME_LIGHT].median == before.times[TL_TIME_LIGHT].median);
+    assert_string_equal(after->map, before.map);
+
+    size_t measured;
+    int was_stopped;
+    options.seconds *= 2.0;
+    assert_int_equal(
+        tl_study_run(&study, device, &frame, &plan, &options, &measured, &was_stopped, &err),
+        TL_ERR_ARGUMENT);
+    assert_non_null(strstr(err.message, "nothing is measured yet, or not for"));
+    frame.lights.lights[0].intensity *= 2.0f;
+    assert_int_equal(
+        tl_study_run(&study, device, &frame, &plan, &options, &measured, &was_stopped, &err),
+        TL_ERR_ARGUMENT);
+    assert_non_null(strstr(err.message, "it was another frame"));
+    tl_study_plan_clear(&plan);
+    tl_study_clear(&study);
+    tl_study_frame_clear(&frame);
+}
+
+/* Of the file that an earlier test left. */
 static void other_machines_are_refused(void **state)
 {
     tl_study other = new_study();
@@ -285,6 +339,7 @@ int main(void)
         cmocka_unit_test(causes_are_told_apart),
         cmocka_unit_test(cutoffs_are_approximations),
         cmocka_unit_test(studies_go_on_where_they_ended),
+        cmocka_unit_test(second_runs_are_held_against_the_first),
         cmocka_unit_test(other_machines_are_refused),
     };
     return cmocka_run_group_tests(tests, enter, leave);

@@ -1,8 +1,8 @@
 #include "study.h"
 
-#include "file_times.h"
 #include "maps.h"
 #include "pictures.h"
+#include "stages.h"
 #include "steps.h"
 #include "study_csv.h"
 #include "study_json.h"
@@ -33,8 +33,7 @@ typedef struct run {
 
 tl_study_options tl_study_options_default(void)
 {
-    return (tl_study_options){
-        .rule = {.least_samples = 6, .deviation = 0.0025, .seconds = 1.0}};
+    return (tl_study_options){.seconds = 2.0};
 }
 
 void tl_study_clear(tl_study *study)
@@ -43,6 +42,27 @@ void tl_study_clear(tl_study *study)
         free(study->results[i].records);
     free(study->results);
     *study = (tl_study){0};
+}
+
+/* Its index among the results that have the name; their count where none has. */
+static size_t index_of(const tl_study *study, const char *name)
+{
+    size_t at = 0;
+    while (at < study->count && strcmp(study->results[at].name, name) != 0)
+        at++;
+    return at;
+}
+
+static tl_status add_result(run *r, const tl_study_result *made, tl_error *err)
+{
+    tl_study *study = r->study;
+    tl_study_result *grown =
+        realloc(study->results, (study->count + 1) * sizeof *study->results);
+    if (!grown)
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for a study");
+    study->results = grown;
+    study->results[study->count++] = *made;
+    return TL_OK;
 }
 
 /* The result of this frame: as it was, or empty. */
@@ -58,22 +78,23 @@ static tl_status find_result(run *r, tl_error *err)
     TRY(tl_study_frame_identify(r->frame, made.identity, err));
     snprintf(made.name, sizeof made.name, "%s", r->frame->name);
     snprintf(made.source, sizeof made.source, "%s", r->frame->source ? r->frame->source : "");
-    for (r->result = 0; r->result < study->count; r->result++) {
-        tl_study_result *had = &study->results[r->result];
-        if (strcmp(had->name, made.name) != 0)
-            continue;
-        if (strcmp(had->identity, made.identity) == 0)
-            return TL_OK;
+    r->result = index_of(study, made.name);
+    tl_study_result *had = r->result < study->count ? &study->results[r->result] : NULL;
+    if (had && strcmp(had->identity, made.identity) == 0)
+        return TL_OK;
+    if (r->options->again)
+        TRY(tl_fail(err, TL_ERR_ARGUMENT,
+                    had ? "%s: it was another frame that was measured under this name: --again "
+                          "goes with the scenes, --size, --camera and --lights of the study"
+                        : "%s: nothing of it is measured yet: the same command without --again "
+                          "does that",
+                    made.name));
+    if (!had) {
+        TRY(add_result(r, &made, err));
+    } else {
         free(had->records);
         *had = made;
-        return TL_OK;
     }
-    tl_study_result *grown =
-        realloc(study->results, (study->count + 1) * sizeof *study->results);
-    if (!grown)
-        TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for a study"));
-    study->results = grown;
-    study->results[study->count++] = made;
 done:
     return status;
 }
@@ -90,7 +111,7 @@ static tl_study_record *find_record(const run *r, const tl_study_config *config)
 static int is_measured(const run *r, const tl_study_config *config)
 {
     const tl_study_record *record = find_record(r, config);
-    return record && fabs(record->seconds - r->options->rule.seconds) < 1e-6;
+    return record && fabs(record->seconds - r->options->seconds) < 1e-6;
 }
 
 static tl_status keep(run *r, const tl_study_record *record, tl_error *err)
@@ -110,48 +131,6 @@ static tl_status keep(run *r, const tl_study_record *record, tl_error *err)
     return TL_OK;
 }
 
-/* Lighting that is the default's by definition, and was measured for that. */
-static void take_lighting(tl_study_record *record, const tl_study_record *usual)
-{
-    record->times[TL_TIME_LIGHT] = usual->times[TL_TIME_LIGHT];
-    record->times[TL_TIME_CULL] = usual->times[TL_TIME_CULL];
-    record->times[TL_TIME_SHADE] = usual->times[TL_TIME_SHADE];
-    record->times[TL_TIME_LIGHT_RATIO] = tl_study_time_known(1.0);
-    record->values[TL_VALUE_MOVED] = usual->values[TL_VALUE_MOVED];
-}
-
-static const struct {
-    tl_study_time_name ms, ratio;
-} stages[] = {{TL_TIME_READ, TL_TIME_READ_RATIO},
-              {TL_TIME_LIGHT, TL_TIME_LIGHT_RATIO},
-              {TL_TIME_WRITE, TL_TIME_WRITE_RATIO}};
-enum { STAGE_COUNT = sizeof stages / sizeof stages[0] };
-
-static void sum_job(tl_study_record *record, const tl_study_record *usual)
-{
-    tl_study_time ms = {0}, ratio = {0};
-    double whole = 0.0;
-    for (int i = 0; i < STAGE_COUNT; i++)
-        whole += usual->times[stages[i].ms].median;
-    for (int i = 0; i < STAGE_COUNT; i++) {
-        const tl_study_time *stage = &record->times[stages[i].ms],
-                            *of_usual = &record->times[stages[i].ratio];
-        const double share = usual->times[stages[i].ms].median / whole;
-        ms.median += stage->median;
-        ms.low += stage->low;
-        ms.high += stage->high;
-        ratio.median += share * of_usual->median;
-        ratio.low += share * of_usual->low;
-        ratio.high += share * of_usual->high;
-        ms.samples += stage->samples;
-        ratio.samples += of_usual->samples;
-        ms.is_unstable |= stage->is_unstable;
-        ratio.is_unstable |= of_usual->is_unstable;
-    }
-    record->times[TL_TIME_JOB] = ms;
-    record->times[TL_TIME_JOB_RATIO] = ratio;
-}
-
 /* "maps/FRAME-NN.png", NN counting the frame's configurations. */
 static tl_status write_map(run *r, tl_study_record *record, tl_error *err)
 {
@@ -168,25 +147,30 @@ static tl_status measure(run *r, const tl_study_config *config, tl_error *err)
 {
     const tl_study_options *options = r->options;
     const tl_study_config usual = tl_study_config_default();
-    const tl_study_record *of_usual = find_record(r, &usual);
-    const int is_usual = tl_study_config_is_same(config, &usual);
-    tl_study_record record = tl_study_record_empty(config, options->rule.seconds);
+    tl_study_record record = tl_study_record_empty(config, options->seconds);
+    const tl_study_record *of_usual =
+        tl_study_config_is_same(config, &usual) ? &record : find_record(r, &usual);
     tl_status status = TL_OK;
     TRY(tl_study_steps_find(&r->pictures, &record, r->map, err));
-    if (!is_usual && of_usual && tl_study_config_is_usual(config, 0))
-        take_lighting(&record, of_usual);
-    else
-        TRY(tl_study_time_lighting(&r->pictures, &options->rule, &record, err));
-    if (options->folder) {
-        TRY(tl_study_time_files(&r->files, &r->pictures, options->folder, &options->rule,
-                                &record, err));
-        sum_job(&record, is_usual ? &record : of_usual);
-        TRY(write_map(r, &record, err));
-    }
-    TRY(keep(r, &record, err));
+    TRY(tl_study_stages_take(&r->pictures, &r->files, options->folder, options->seconds,
+                             of_usual, &record, err));
     if (options->folder)
-        TRY(tl_study_write(r->study, options->folder, err));
+        TRY(write_map(r, &record, err));
+    TRY(keep(r, &record, err));
 done:
+    return status;
+}
+
+static tl_status measure_again(run *r, const tl_study_config *config, tl_error *err)
+{
+    const tl_study_config usual = tl_study_config_default();
+    tl_study_record *record = find_record(r, config);
+    tl_study_record second = tl_study_record_empty(config, r->options->seconds);
+    const tl_status status =
+        tl_study_stages_take(&r->pictures, &r->files, r->options->folder, r->options->seconds,
+                             find_record(r, &usual), &second, err);
+    if (status == TL_OK)
+        tl_study_note_again(record, second.times);
     return status;
 }
 
@@ -228,28 +212,54 @@ done:
     return status;
 }
 
-/* Those of the plan that fit and are not measured, the default one first: *out, [*count]. */
-static tl_status list_missing(const run *r,
-                              const tl_study_plan *plan,
-                              const tl_study_needs *needs,
-                              tl_study_config **out,
-                              size_t *count,
-                              tl_error *err)
+static int is_due(const run *r, const tl_study_needs *needs, const tl_study_config *config)
 {
+    return r->options->again ? is_measured(r, config)
+                             : tl_study_config_fits(config, needs) && !is_measured(r, config);
+}
+
+/* Those of the plan that are to be measured, the default one first: list [plan->count + 1]; returns how many. */
+static size_t list_due(const run *r, const tl_study_plan *plan, tl_study_config *list)
+{
+    const tl_study_needs needs = tl_study_needs_of(r->frame, r->device);
     const tl_study_config usual = tl_study_config_default();
-    tl_study_config *list = malloc((plan->count + 1) * sizeof *list);
-    *count = 0;
-    if (!list)
-        return tl_fail(err, TL_ERR_MEMORY, "out of memory for configurations");
-    if (!is_measured(r, &usual))
-        list[(*count)++] = usual;
+    size_t count = 0;
+    if (is_due(r, &needs, &usual))
+        list[count++] = usual;
     for (size_t i = 0; i < plan->count; i++)
         if (!tl_study_config_is_same(&plan->configs[i], &usual) &&
-            tl_study_config_fits(&plan->configs[i], needs) &&
-            !is_measured(r, &plan->configs[i]))
-            list[(*count)++] = plan->configs[i];
+            is_due(r, &needs, &plan->configs[i]))
+            list[count++] = plan->configs[i];
+    return count;
+}
+
+static tl_status find_due(const run *r,
+                          const tl_study_plan *plan,
+                          tl_study_config **out,
+                          size_t *count,
+                          tl_error *err)
+{
+    tl_study_config *list = malloc((plan->count + 1) * sizeof *list);
+    if (!list)
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for configurations");
+    *count = list_due(r, plan, list);
     *out = list;
+    if (*count == 0 && r->options->again)
+        return tl_fail(err, TL_ERR_ARGUMENT,
+                       "%s: of what is asked for nothing is measured yet, or not for %g s "
+                       "each: the same command without --again does that",
+                       r->frame->name, r->options->seconds);
     return TL_OK;
+}
+
+static tl_status measure_one(run *r, const tl_study_config *config, tl_error *err)
+{
+    tl_status status = TL_OK;
+    TRY(r->options->again ? measure_again(r, config, err) : measure(r, config, err));
+    if (r->options->folder)
+        TRY(tl_study_write(r->study, r->options->folder, err));
+done:
+    return status;
 }
 
 tl_status tl_study_run(tl_study *study,
@@ -262,22 +272,21 @@ tl_status tl_study_run(tl_study *study,
                        tl_error *err)
 {
     const tl_study_watch *watch = &options->watch;
-    const tl_study_needs needs = tl_study_needs_of(frame, device);
     run r = {.study = study, .device = device, .frame = frame, .options = options};
-    tl_study_config *missing = NULL;
+    tl_study_config *due = NULL;
     size_t count = 0;
     tl_status status = TL_OK;
     *measured = 0;
     *was_stopped = 0;
     TRY(find_result(&r, err));
-    TRY(list_missing(&r, plan, &needs, &missing, &count, err));
+    TRY(find_due(&r, plan, &due, &count, err));
     if (count == 0)
         goto done;
     TRY(begin(&r, err));
     while (*measured < count && !*was_stopped) {
         if (watch->begins)
-            watch->begins(watch->context, frame->name, *measured, count, &missing[*measured]);
-        TRY(measure(&r, &missing[*measured], err));
+            watch->begins(watch->context, frame->name, *measured, count, &due[*measured]);
+        TRY(measure_one(&r, &due[*measured], err));
         ++*measured;
         *was_stopped = watch->stops && watch->stops(watch->context);
     }
@@ -285,7 +294,7 @@ done:
     tl_study_pictures_end(&r.pictures);
     tl_study_file_times_clear(&r.files);
     free(r.map);
-    free(missing);
+    free(due);
     return status;
 }
 
@@ -316,7 +325,7 @@ static tl_status check_machine(const tl_study *now,
     return tl_fail(err, TL_ERR_ARGUMENT,
                    "%s: a study on another machine or device (%s, %u threads, %s %s; this is "
                    "%s, %u threads, %s %s), whose times are not to be mixed: write to another "
-                   "folder, or measure all anew with --again",
+                   "folder, or measure all anew with --anew",
                    path, before->machine.processor, before->machine.threads,
                    before->device.name, before->device.driver, now->machine.processor,
                    now->machine.threads, now->device.name, now->device.driver);
@@ -332,6 +341,9 @@ tl_status tl_study_resume(tl_study *study, const char *folder, tl_error *err)
         return TL_OK;
     TRY(tl_study_json_read(path, &before, err));
     TRY(check_machine(study, &before, path, err));
+    study->machine = before.machine;
+    if (!study->command[0])
+        memcpy(study->command, before.command, sizeof study->command);
     study->results = before.results;
     study->count = before.count;
     before.results = NULL;
@@ -353,6 +365,17 @@ void tl_study_drop_maps(tl_study *study, const char *folder)
             snprintf(path, sizeof path, "%s/%s", folder, record->map);
             unlink(path);
             record->map[0] = '\0';
+        }
+}
+
+void tl_study_count_again(const tl_study *study, size_t *twice, size_t *stay)
+{
+    *twice = *stay = 0;
+    for (size_t i = 0; i < study->count; i++)
+        for (size_t k = 0; k < study->results[i].count; k++) {
+            const int stays = tl_study_stays(&study->results[i].records[k]);
+            *twice += stays >= 0;
+            *stay += stays > 0;
         }
 }
 

@@ -1,4 +1,5 @@
-/* Accuracy against time: every configuration of a plan on frames, each measured once.
+/* Accuracy against time: every configuration of a plan on frames, each measured once; and once more, to see
+ * whether the intervals that are stated hold.
  *
  * What was measured stands in FOLDER/study.json after every configuration, so a study that ends early goes on
  * where it ended. */
@@ -8,7 +9,6 @@
 #include "front.h"
 #include "machine.h"
 #include "plan.h"
-#include "sampling.h"
 #include "study_frame.h"
 #include "values.h"
 
@@ -51,18 +51,20 @@ typedef struct tl_study_watch {
 typedef struct tl_study_options {
     const char
         *folder; /* exists; NULL: nothing is written, and nothing read or written is timed */
-    tl_sampling_rule
-        rule; /* of each half of a configuration's lighting, and of each kind of file */
+    double
+        seconds; /* that a configuration's lighting is sampled, and each kind of file; 2 pairs a block at least */
+    /* 1: take the times of what is measured once more, and nothing else */
+    int again;
     tl_study_watch watch;
 } tl_study_options;
 
-/* At least 6 samples a half, which an interval of 95 % takes; 0.25 %; 1 s. */
+/* 2 s. */
 tl_study_options tl_study_options_default(void);
 
 /* Measures what is not in *study yet of the frame under these options, the default configuration always:
  * what does not fit the frame is left out. *was_stopped: whether the watcher ended it. *measured: how many
- * were. Fails as tl_study_steps_find and tl_study_time_lighting do. What was measured before a failure is
- * in *study. */
+ * were. Fails as tl_study_steps_find and tl_study_stages_take do, and with TL_ERR_ARGUMENT where nothing is
+ * measured that could be again. What was measured before a failure is in *study. */
 tl_status tl_study_run(tl_study *study,
                        tl_device *device,
                        const tl_study_frame *frame,
@@ -76,13 +78,18 @@ tl_status tl_study_run(tl_study *study,
  * TL_ERR_MEMORY. */
 tl_status tl_study_write(tl_study *study, const char *folder, tl_error *err);
 
-/* Adds what FOLDER/study.json holds, if it is there, to an empty *study of this machine and device. Fails
+/* Adds what FOLDER/study.json holds, if it is there, to an empty *study of this machine and device; its command
+ * only where *study has none. Fails
  * with TL_ERR_ARGUMENT where that is of another machine or device, TL_ERR_FORMAT (no study, or of another
  * version), TL_ERR_READ or TL_ERR_MEMORY. */
 tl_status tl_study_resume(tl_study *study, const char *folder, tl_error *err);
 
 /* Removes the maps of configurations that are on no front. */
 void tl_study_drop_maps(tl_study *study, const char *folder);
+
+/* Of all frames: how many configurations were measured twice, and of how many the second run came out inside
+ * the interval of the first. */
+void tl_study_count_again(const tl_study *study, size_t *twice, size_t *stay);
 
 /* The cause that adds most to a record's error, a word of TL_STUDY_CAUSES; "none" where nothing does. */
 const char *tl_study_main_cause(const tl_study_record *record);

@@ -19,7 +19,8 @@ static void print_names(FILE *out)
     }
     for (int i = 0; i < TL_STUDY_VALUE_COUNT; i++)
         fprintf(out, ",%s", tl_study_value_rows[i].name);
-    fputs(",main_cause,worst_cause,worst_detail,map\n", out);
+    fputs(",again,again_low,again_high,again_stays,main_cause,worst_cause,worst_detail,map\n",
+          out);
 }
 
 static void print_record(FILE *out, const char *frame, const tl_study_record *r)
@@ -38,6 +39,10 @@ static void print_record(FILE *out, const char *frame, const tl_study_record *r)
     }
     for (int i = 0; i < TL_STUDY_VALUE_COUNT; i++)
         tl_csv_number(out, r->values[i]);
+    tl_csv_number(out, r->again.median);
+    tl_csv_number(out, r->again.low);
+    tl_csv_number(out, r->again.high);
+    fputs(tl_study_stays(r) < 0 ? "," : tl_study_stays(r) ? ",1" : ",0", out);
     const char *const texts[] = {tl_study_main_cause(r), r->worst_cause, r->worst_detail,
                                  r->map};
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {

@@ -51,6 +51,18 @@ static json_t *time_json(const tl_study_time *t)
                      (int)t->samples, "unstable", t->is_unstable);
 }
 
+/* Of a second run. */
+static json_t *again_json(const tl_study_record *r)
+{
+    json_t *time = time_json(&r->again);
+    if (json_is_object(time)) {
+        json_object_set_new(time, "of",
+                            json_string(tl_study_time_rows[tl_study_judged(r)].name));
+        json_object_set_new(time, "stays", json_boolean(tl_study_stays(r)));
+    }
+    return time;
+}
+
 static json_t *record_json(const tl_study_record *r)
 {
     char title[1024];
@@ -62,11 +74,12 @@ static json_t *record_json(const tl_study_record *r)
         json_object_set_new(times, tl_study_time_rows[i].name, time_json(&r->times[i]));
     for (int i = 0; i < TL_STUDY_VALUE_COUNT; i++)
         json_object_set_new(values, tl_study_value_rows[i].name, tl_json_number(r->values[i]));
-    return json_pack("{ss so so ss so so ss s{ss ss} ss}", "title", title, "knobs", knobs,
+    return json_pack("{ss so so ss so so ss s{ss ss} ss so}", "title", title, "knobs", knobs,
                      "seconds", tl_json_number(r->seconds), "errors_of",
                      tl_study_is_for_screen(&r->config) ? "screen" : "radiance", "times", times,
                      "values", values, "main_cause", tl_study_main_cause(r), "worst", "cause",
-                     r->worst_cause, "detail", r->worst_detail, "map", r->map);
+                     r->worst_cause, "detail", r->worst_detail, "map", r->map, "again",
+                     again_json(r));
 }
 
 static json_t *planes_json(uint32_t present)
@@ -103,14 +116,15 @@ tl_status tl_study_json_write(const tl_study *study, const char *path, tl_error 
     for (size_t i = 0; i < study->count; i++)
         json_array_append_new(frames, result_json(&study->results[i]));
     json_t *report = json_pack(
-        "{si s{ss si so} so ss so so so so s[ff] so}", "tilelight_study", TL_STUDY_JSON_VERSION,
-        "machine", "processor", study->machine.processor, "threads",
+        "{si s{ss si so} so ss so so so so s{si sf} s[ff] so}", "tilelight_study",
+        TL_STUDY_JSON_VERSION, "machine", "processor", study->machine.processor, "threads",
         (int)study->machine.threads, "load_before", tl_json_number(study->machine.load),
         "device", tl_bench_json_device(&study->device), "command", study->command, "knobs",
         knobs_json(), "causes", causes_json(), "times",
         rows_json(tl_study_time_rows, TL_STUDY_TIME_COUNT), "values",
-        rows_json(tl_study_value_rows, TL_STUDY_VALUE_COUNT), "map_errors", TL_STUDY_MAP_LOW,
-        TL_STUDY_MAP_HIGH, "frames", frames);
+        rows_json(tl_study_value_rows, TL_STUDY_VALUE_COUNT), "intervals", "blocks",
+        TL_STUDY_BLOCK_COUNT, "coverage", tl_study_interval_coverage(), "map_errors",
+        TL_STUDY_MAP_LOW, TL_STUDY_MAP_HIGH, "frames", frames);
     return tl_json_write(path, report, err);
 }
 
@@ -166,6 +180,7 @@ static tl_status read_record(const json_t *object,
     read_text(worst, "cause", out->worst_cause, sizeof out->worst_cause);
     read_text(worst, "detail", out->worst_detail, sizeof out->worst_detail);
     read_text(object, "map", out->map, sizeof out->map);
+    out->again = read_time(json_object_get(object, "again"));
     return TL_OK;
 }
 

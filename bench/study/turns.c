@@ -13,15 +13,40 @@ static tl_status run(const tl_turn *turn, double *ms, tl_error *err)
     return status;
 }
 
-typedef struct half {
-    tl_samples usual, other, ratio;
-} half;
+/* What the blocks say of one thing. */
+typedef struct blocks {
+    double medians[TL_STUDY_BLOCK_COUNT];
+    size_t samples;
+} blocks;
 
-static tl_status take_half(const tl_turn *usual,
-                           const tl_turn *other,
-                           const tl_sampling_rule *rule,
-                           half *h,
-                           tl_error *err)
+static void note(blocks *all, int block, const tl_summary *summary)
+{
+    all->medians[block] = summary->median;
+    all->samples += summary->count;
+}
+
+static tl_study_time time_of(const blocks *all)
+{
+    return tl_study_time_of(all->medians, all->samples);
+}
+
+static void note_samples(blocks *all, int block, tl_samples *samples)
+{
+    const tl_summary summary = tl_samples_summarize(samples);
+    note(all, block, &summary);
+    tl_samples_clear(samples);
+}
+
+/* Of what the two took, and of the ratio. */
+typedef struct pairs {
+    tl_samples usual, other, ratio;
+} pairs;
+
+static tl_status take_pairs(const tl_turn *usual,
+                            const tl_turn *other,
+                            const tl_sampling_rule *rule,
+                            pairs *p,
+                            tl_error *err)
 {
     const tl_turn *const turns[2] = {usual, other};
     const double start = tl_seconds();
@@ -31,11 +56,11 @@ static tl_status take_half(const tl_turn *usual,
     do {
         TRY(run(turns[first], &ms[first], err));
         TRY(run(turns[1 - first], &ms[1 - first], err));
-        TRY(tl_samples_add(&h->usual, ms[0], err));
-        TRY(tl_samples_add(&h->other, ms[1], err));
-        TRY(tl_samples_add(&h->ratio, ms[1] / ms[0], err));
+        TRY(tl_samples_add(&p->usual, ms[0], err));
+        TRY(tl_samples_add(&p->other, ms[1], err));
+        TRY(tl_samples_add(&p->ratio, ms[1] / ms[0], err));
         first = 1 - first;
-    } while (!tl_sampling_done(rule, &h->ratio, start));
+    } while (!tl_sampling_done(rule, &p->ratio, start));
 done:
     return status;
 }
@@ -48,27 +73,25 @@ tl_status tl_study_turns_take(const tl_turn *usual,
                               tl_study_time *ratio,
                               tl_error *err)
 {
-    half halves[2] = {0};
-    tl_summary usuals[2], others[2], ratios[2];
+    blocks usuals = {0}, others = {0}, ratios = {0};
+    pairs p = {0};
     double ms;
     tl_status status = TL_OK;
     TRY(run(usual, &ms, err));
     TRY(run(other, &ms, err));
-    for (int i = 0; i < 2; i++) {
-        TRY(take_half(usual, other, rule, &halves[i], err));
-        usuals[i] = tl_samples_summarize(&halves[i].usual);
-        others[i] = tl_samples_summarize(&halves[i].other);
-        ratios[i] = tl_samples_summarize(&halves[i].ratio);
+    for (int i = 0; i < TL_STUDY_BLOCK_COUNT; i++) {
+        TRY(take_pairs(usual, other, rule, &p, err));
+        note_samples(&usuals, i, &p.usual);
+        note_samples(&others, i, &p.other);
+        note_samples(&ratios, i, &p.ratio);
     }
-    *usual_ms = tl_study_time_of(usuals);
-    *other_ms = tl_study_time_of(others);
-    *ratio = tl_study_time_of(ratios);
+    *usual_ms = time_of(&usuals);
+    *other_ms = time_of(&others);
+    *ratio = time_of(&ratios);
 done:
-    for (int i = 0; i < 2; i++) {
-        tl_samples_clear(&halves[i].usual);
-        tl_samples_clear(&halves[i].other);
-        tl_samples_clear(&halves[i].ratio);
-    }
+    tl_samples_clear(&p.usual);
+    tl_samples_clear(&p.other);
+    tl_samples_clear(&p.ratio);
     return status;
 }
 
@@ -119,21 +142,23 @@ tl_status tl_study_time_lighting(tl_study_pictures *p,
 {
     const tl_study_config usual = tl_study_config_default();
     tl_frame_side sides[2];
-    tl_frame_ratio halves[2];
+    blocks ratio = {0}, light = {0}, cull = {0}, shade = {0};
+    tl_frame_ratio took;
     tl_status status = TL_OK;
     TRY(side_of(p, &usual, &sides[0], err));
     TRY(side_of(p, &record->config, &sides[1], err));
-    for (int i = 0; i < 2; i++)
-        TRY(tl_frame_ratio_measure(p->device, sides, rule, &halves[i], err));
-    const tl_summary ratio[2] = {halves[0].ratio, halves[1].ratio},
-                     light[2] = {halves[0].frame_ms[1], halves[1].frame_ms[1]},
-                     cull[2] = {halves[0].cull_ms[1], halves[1].cull_ms[1]},
-                     shade[2] = {halves[0].shade_ms[1], halves[1].shade_ms[1]};
-    record->times[TL_TIME_LIGHT_RATIO] = tl_study_time_of(ratio);
-    record->times[TL_TIME_LIGHT] = tl_study_time_of(light);
-    record->times[TL_TIME_CULL] = tl_study_time_of(cull);
-    record->times[TL_TIME_SHADE] = tl_study_time_of(shade);
-    record->values[TL_VALUE_MOVED] = moved_bytes(&sides[1], &halves[1].counts[1]);
+    for (int i = 0; i < TL_STUDY_BLOCK_COUNT; i++) {
+        TRY(tl_frame_ratio_measure(p->device, sides, rule, &took, err));
+        note(&ratio, i, &took.ratio);
+        note(&light, i, &took.frame_ms[1]);
+        note(&cull, i, &took.cull_ms[1]);
+        note(&shade, i, &took.shade_ms[1]);
+    }
+    record->times[TL_TIME_LIGHT_RATIO] = time_of(&ratio);
+    record->times[TL_TIME_LIGHT] = time_of(&light);
+    record->times[TL_TIME_CULL] = time_of(&cull);
+    record->times[TL_TIME_SHADE] = time_of(&shade);
+    record->values[TL_VALUE_MOVED] = moved_bytes(&sides[1], &took.counts[1]);
 done:
     return status;
 }

@@ -12,8 +12,8 @@ typedef struct tl_turn {
     const void *context;
 } tl_turn;
 
-/* Runs each once to warm up, then in turns, first and second changing places, in two halves until `rule` has
- * enough of the ratio in each. Fails as the turns do, or with TL_ERR_MEMORY. */
+/* Runs each once to warm up, then in turns, first and second changing places, in blocks of as long as `rule`
+ * says. Fails as the turns do, or with TL_ERR_MEMORY. */
 tl_status tl_study_turns_take(const tl_turn *usual,
                               const tl_turn *other,
                               const tl_sampling_rule *rule,

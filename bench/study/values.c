@@ -1,20 +1,53 @@
 #include "values.h"
 
 #include <math.h>
+#include <string.h>
 
 #define TIME_ROW(name, word, meaning) [name] = {word, "", meaning},
 #define VALUE_ROW(name, word, unit, meaning) [name] = {word, unit, meaning},
 const tl_study_row tl_study_time_rows[TL_STUDY_TIME_COUNT] = {TL_STUDY_TIMES(TIME_ROW)};
 const tl_study_row tl_study_value_rows[TL_STUDY_VALUE_COUNT] = {TL_STUDY_VALUES(VALUE_ROW)};
 
-tl_study_time tl_study_time_of(const tl_summary halves[2])
+typedef struct span {
+    double least, most;
+} span;
+
+static span span_of(const double *blocks, int count)
 {
-    const tl_interval *a = &halves[0].interval, *b = &halves[1].interval;
-    return (tl_study_time){.median = 0.5 * (halves[0].median + halves[1].median),
-                           .low = fmin(a->low, b->low),
-                           .high = fmax(a->high, b->high),
-                           .samples = halves[0].count + halves[1].count,
-                           .is_unstable = a->low > b->high || b->low > a->high};
+    span s = {blocks[0], blocks[0]};
+    for (int i = 1; i < count; i++) {
+        s.least = fmin(s.least, blocks[i]);
+        s.most = fmax(s.most, blocks[i]);
+    }
+    return s;
+}
+
+tl_study_time tl_study_time_of(const double blocks[TL_STUDY_BLOCK_COUNT], size_t samples)
+{
+    enum { K = TL_STUDY_BLOCK_COUNT / 2 };
+    const span first = span_of(blocks, K), last = span_of(blocks + K + 1, K),
+               all = span_of(blocks, TL_STUDY_BLOCK_COUNT);
+    double sorted[TL_STUDY_BLOCK_COUNT];
+    memcpy(sorted, blocks, sizeof sorted);
+    return (tl_study_time){.median = tl_summarize(sorted, TL_STUDY_BLOCK_COUNT).median,
+                           .low = all.least,
+                           .high = all.most,
+                           .samples = samples,
+                           .is_unstable = first.most < last.least || first.least > last.most};
+}
+
+static double choose(int n, int k)
+{
+    double product = 1.0;
+    for (int i = 1; i <= k; i++)
+        product *= (double)(n - k + i) / i;
+    return product;
+}
+
+double tl_study_interval_coverage(void)
+{
+    enum { K = TL_STUDY_BLOCK_COUNT / 2 };
+    return 1.0 - 2.0 * choose(3 * K + 1, K) / choose(4 * K + 2, 2 * K + 1);
 }
 
 tl_study_time tl_study_time_known(double value)
@@ -29,7 +62,30 @@ tl_study_record tl_study_record_empty(const tl_study_config *config, double seco
         record.times[i] = tl_study_time_known((double)NAN);
     for (int i = 0; i < TL_STUDY_VALUE_COUNT; i++)
         record.values[i] = (double)NAN;
+    record.again = tl_study_time_known((double)NAN);
     return record;
+}
+
+tl_study_time_name tl_study_judged(const tl_study_record *record)
+{
+    return record->times[TL_TIME_LIGHT_RATIO].samples > 0 ? TL_TIME_LIGHT_RATIO
+                                                          : TL_TIME_JOB_RATIO;
+}
+
+int tl_study_stays(const tl_study_record *record)
+{
+    const tl_study_time *stated = &record->times[tl_study_judged(record)];
+    if (isnan(record->again.median))
+        return -1;
+    return record->again.median >= stated->low && record->again.median <= stated->high;
+}
+
+void tl_study_note_again(tl_study_record *record,
+                         const tl_study_time times[TL_STUDY_TIME_COUNT])
+{
+    const tl_study_time_name judged = tl_study_judged(record);
+    record->again = times[judged];
+    record->times[judged].is_unstable |= !tl_study_stays(record);
 }
 
 int tl_study_is_for_screen(const tl_study_config *config)

@@ -6,20 +6,37 @@
 #include "statistics.h"
 #include "study_knobs.h"
 
-/* Taken by turns with the default configuration, in two halves, each with kernels' buffers of its own.
- *
- * low, high: from the lower of the halves' intervals of the median to the upper, each of 95 %
- * (tl_interval). A half of n samples knows its median to sqrt(2) of what all 2n do, which is what two runs'
- * medians differ by: so another run's median lies inside in 95 of 100 at least, if all that changes between
- * runs changes between halves too. */
+/* A time is taken in blocks, each by turns with the default configuration, and lighting with buffers of its
+ * own in each: what a block says is the median of its samples. */
+enum { TL_STUDY_BLOCK_COUNT = 11 };
+
 typedef struct tl_study_time {
-    double median, low, high; /* NAN: not measured */
-    size_t samples;           /* of both halves; 0 with numbers: known without measuring */
-    int is_unstable;          /* 1: the halves' intervals do not meet */
+    double median;    /* of the blocks'; NAN: not measured */
+    double low, high; /* the least and the largest of the blocks': see tl_study_time_of */
+    size_t samples;   /* of all blocks; 0 with numbers: known without measuring */
+    int is_unstable; /* 1: it drifted while it was measured, or measured again it came out elsewhere */
 } tl_study_time;
 
-/* Median: the mean of the two. */
-tl_study_time tl_study_time_of(const tl_summary halves[2]);
+/* Of the blocks' medians, in the order in which they were measured.
+ *
+ * [low, high] is where another run's median lies, with the same number n = 2k + 1 of blocks, in 98.76 of 100.
+ * For if the blocks of both runs are exchangeable, each of the C(2n, n) ways in which they may lie among each
+ * other is as likely, whatever their distribution. The other run's median is above all of this run's blocks
+ * where the k + 1 largest of all are the other's, and the remaining k of it anywhere among the 2n - k - 1 = 3k
+ * + 1 smaller: in C(3k + 1, k) of them. So it is outside, above or below, with
+ *
+ *     2 C(3k + 1, k) / C(4k + 2, 2k + 1) = 2 * 4368 / 705432 = 0.0124 of k = 5
+ *
+ * (the largest case of Fligner and Wolfe, "Nonparametric prediction intervals for a future sample median",
+ * Journal of the American Statistical Association 74, 1979). An interval for the median that this run knows
+ * would be narrower, and miss another run's more often than it says.
+ *
+ * What drifts is not exchangeable: where the first k blocks are all below or all above the last k, it is
+ * unstable, which by chance alone is so in 2 / C(2k, k) = 0.8 of 100. */
+tl_study_time tl_study_time_of(const double blocks[TL_STUDY_BLOCK_COUNT], size_t samples);
+
+/* The probability derived above. */
+double tl_study_interval_coverage(void);
 
 /* Known without measuring. */
 tl_study_time tl_study_time_known(double value);
@@ -114,7 +131,20 @@ typedef struct tl_study_record {
     char worst_cause[32];  /* a word of TL_STUDY_CAUSES; empty where nothing differs */
     char worst_detail[64]; /* of storage the attribute, else the knob; may be empty */
     char map[128]; /* picture of the errors, a file in the study's folder; may be empty */
+    tl_study_time
+        again; /* the time that tl_study_judged names, of a second run; NAN: there was none */
 } tl_study_record;
+
+/* Of a record's times the one that a second run is held against: of lighting where it was measured, else of the
+ * job; each over the default's. */
+tl_study_time_name tl_study_judged(const tl_study_record *record);
+
+/* Whether a second run came out inside the interval of the first: 1 or 0; -1: there was none. */
+int tl_study_stays(const tl_study_record *record);
+
+/* Notes the times of a second run, and marks the first one's unstable where they are outside. */
+void tl_study_note_again(tl_study_record *record,
+                         const tl_study_time times[TL_STUDY_TIME_COUNT]);
 
 /* All not measured. */
 tl_study_record tl_study_record_empty(const tl_study_config *config, double seconds);

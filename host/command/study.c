@@ -20,7 +20,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-static const double usual_seconds = 2.0, quick_seconds = 0.5;
+static const double usual_seconds = 2.0, quick_seconds = 1.0;
 
 static volatile sig_atomic_t is_interrupted;
 
@@ -190,7 +190,8 @@ static tl_status study_frames(const study_command *options,
     tl_study_options how = tl_study_options_default();
     tl_status status = TL_OK;
     how.folder = options->folder;
-    how.rule.seconds = 0.5 * options->seconds;
+    how.seconds = options->seconds;
+    how.again = options->again;
     how.watch = (tl_study_watch){tell, stops, &p};
     for (int i = 0; i < p.frame_count; i++) {
         tl_study_frame frame = {0};
@@ -208,9 +209,9 @@ static tl_status study_frames(const study_command *options,
         if (was_stopped)
             TRY(tl_fail(
                 err, TL_ERR_DIFFERENT,
-                "interrupted after %zu configurations, which are in %s; the same command "
-                "goes on from there",
-                p.done, options->folder));
+                "interrupted after %zu configurations, which are in %s; the same command %s",
+                p.done, options->folder,
+                options->again ? "begins anew" : "goes on from there"));
     }
 done:
     return status;
@@ -233,15 +234,19 @@ static tl_status run(study_command *options, tl_study *study, tl_error *err)
     TRY(tl_device_open(options->device, &device, err));
     study->machine = tl_machine_ask();
     study->device = tl_device_describe(device);
-    if (!options->again)
+    if (!options->anew)
         TRY(tl_study_resume(study, options->folder, err));
     listen_for_interrupts();
     TRY(study_frames(options, study, device, &plan, err));
     tl_study_drop_maps(study, options->folder);
     TRY(tl_study_write(study, options->folder, err));
     console_stage(NULL);
-    for (size_t i = 0; i < study->count && !options->quiet; i++)
+    if (options->quiet)
+        goto done;
+    for (size_t i = 0; i < study->count && !options->again; i++)
         study_print(stdout, &study->results[i]);
+    if (options->again)
+        study_print_again(stdout, study);
 done:
     tl_study_plan_clear(&plan);
     tl_device_close(device);
@@ -264,8 +269,9 @@ int command_study(int argc, char **argv)
     tl_study study = {0};
     tl_status status = TL_OK;
     tl_error err;
-    note_command(argc, argv, study.command, sizeof study.command);
     study_parse(argc, argv, &options);
+    if (!options.again)
+        note_command(argc, argv, study.command, sizeof study.command);
     if (options.list)
         study_print_list(stdout);
     else

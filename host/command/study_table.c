@@ -80,8 +80,8 @@ static void print_faults(FILE *out, const tl_study_result *result)
         culled += result->records[i].values[TL_VALUE_CULLING_DIFFERING] > 0.0;
     }
     if (unstable)
-        fprintf(out, "%zu of %zu times of lighting are unstable (!): their halves disagree.\n",
-                unstable, result->count);
+        fprintf(out, "%zu of %zu times of lighting are unstable (!).\n", unstable,
+                result->count);
     if (culled)
         fprintf(out, "CULLING CHANGES THE PICTURE in %zu configurations: that is a fault.\n",
                 culled);
@@ -109,6 +109,28 @@ void study_print(FILE *out, const tl_study_result *result)
     print_advice(out, sorted, result->count);
     print_faults(out, result);
     free(sorted);
+}
+
+static void print_left(FILE *out, const char *frame, const tl_study_record *r)
+{
+    const tl_study_time *stated = &r->times[tl_study_judged(r)];
+    char title[1024];
+    tl_study_config_title(&r->config, title, sizeof title);
+    fprintf(out, "  %s: %s: %s is %.3f, not from %.3f to %.3f\n", frame, title,
+            tl_study_time_rows[tl_study_judged(r)].name, r->again.median, stated->low,
+            stated->high);
+}
+
+void study_print_again(FILE *out, const tl_study *study)
+{
+    size_t twice, stay;
+    tl_study_count_again(study, &twice, &stay);
+    fprintf(out, "%zu of %zu stay inside their intervals%s\n", stay, twice,
+            stay == twice ? "." : "; the others are marked unstable:");
+    for (size_t i = 0; i < study->count; i++)
+        for (size_t k = 0; k < study->results[i].count; k++)
+            if (tl_study_stays(&study->results[i].records[k]) == 0)
+                print_left(out, study->results[i].name, &study->results[i].records[k]);
 }
 
 void study_print_list(FILE *out)

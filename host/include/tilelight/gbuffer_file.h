@@ -11,14 +11,14 @@ extern "C" {
 
 /* How OpenEXR files are compressed: what its C library can write, which is all but DWAA and DWAB.
  * X(name, word, whether every number comes back bit for bit, meaning) */
-#define TL_COMPRESSIONS(X)                                                                     \
-    X(TL_COMPRESSION_NONE, "none", true, "numbers as they are")                                \
-    X(TL_COMPRESSION_RLE, "rle", true, "runs of equal bytes, a row at a time")                 \
-    X(TL_COMPRESSION_ZIPS, "zips", true, "zlib, a row at a time")                              \
-    X(TL_COMPRESSION_ZIP, "zip", true, "zlib, 16 rows at a time")                              \
-    X(TL_COMPRESSION_PIZ, "piz", true, "wavelets and Huffman's code, 32 rows at a time")       \
-    X(TL_COMPRESSION_PXR24, "pxr24", false, "zlib of floats that are rounded to 24 bits")      \
-    X(TL_COMPRESSION_B44, "b44", false, "4 x 4 halves in 14 bytes; what is no half as it is")  \
+#define TL_COMPRESSIONS(X)                                                                    \
+    X(TL_COMPRESSION_NONE, "none", true, "numbers as they are")                               \
+    X(TL_COMPRESSION_RLE, "rle", true, "runs of equal bytes, a row at a time")                \
+    X(TL_COMPRESSION_ZIPS, "zips", true, "zlib, a row at a time")                             \
+    X(TL_COMPRESSION_ZIP, "zip", true, "zlib, 16 rows at a time")                             \
+    X(TL_COMPRESSION_PIZ, "piz", true, "wavelets and Huffman's code, 32 rows at a time")      \
+    X(TL_COMPRESSION_PXR24, "pxr24", false, "zlib of floats that are rounded to 24 bits")     \
+    X(TL_COMPRESSION_B44, "b44", false, "4 x 4 halves in 14 bytes; what is no half as it is") \
     X(TL_COMPRESSION_B44A, "b44a", false, "the same, and 3 bytes where all 16 are of one value")
 
 typedef enum tl_compression {
