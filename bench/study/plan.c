@@ -32,27 +32,36 @@ static const tl_study_lists products[] = {
     {{[TL_STUDY_KNOB_LAYOUT] = "compact-16,compact-12",
       [TL_STUDY_KNOB_CUTOFF] = "1e-4,1e-3,1e-2"}},
     {{[TL_STUDY_KNOB_PRECISION] = "double", [TL_STUDY_KNOB_CUTOFF] = "1e-4,1e-2"}},
-    /* forms that are about as far off as each other, and as the layout */
-    {{[POWER] = "degree-6,degree-4", [ROOT] = "rsqrt,newton-2"}},
-    {{[POWER] = "degree-3", [ROOT] = "newton-1", [MATH] = "strict,contract"}},
+    /* loose arithmetic, and forms that are the farther off the fewer operations they take */
+    {{[POWER] = "degree-6,degree-5", [MATH] = "relaxed"}},
+    {{[POWER] = "degree-6", [ROOT] = "rsqrt", [MATH] = "relaxed"}},
+    {{[POWER] = "degree-4", [ROOT] = "newton-2", [MATH] = "strict,relaxed"}},
+    {{[POWER] = "degree-3", [ROOT] = "newton-1", [MATH] = "relaxed"}},
+    {{[POWER] = "degree-2", [ROOT] = "newton-0", [MATH] = "relaxed"}},
     {{[POWER] = "native", [ROOT] = "native", [MATH] = "relaxed"}},
+    {{[TL_STUDY_KNOB_CUTOFF] = "1e-4,1e-3,1e-2", [MATH] = "relaxed"}},
+    /* the same on few bytes, where the layout is farther off than most of them */
     {{[TL_STUDY_KNOB_LAYOUT] = "compact-16,compact-12",
-      [POWER] = "degree-4,degree-3",
-      [ROOT] = "newton-2"}},
-    {{[TL_STUDY_KNOB_LAYOUT] = "compact-12", [MATH] = "contract,relaxed"}},
+      [POWER] = "degree-6,degree-4",
+      [MATH] = "relaxed"}},
     {{[TL_STUDY_KNOB_LAYOUT] = "compact-12",
-      [POWER] = "native",
-      [ROOT] = "native",
+      [POWER] = "degree-3",
+      [ROOT] = "newton-1",
+      [MATH] = "relaxed"}},
+    {{[TL_STUDY_KNOB_LAYOUT] = "compact-12",
+      [TL_STUDY_KNOB_CUTOFF] = "1e-3,1e-2",
       [MATH] = "relaxed"}},
 };
 
 static const tl_study_lists quick_products[] = {
     {{[TL_STUDY_KNOB_LAYOUT] = "compact-12", [TL_STUDY_KNOB_PRECISION] = "double"}},
     {{[TL_STUDY_KNOB_LAYOUT] = "compact-12", [TL_STUDY_KNOB_OUTPUT] = "png"}},
-    {{[POWER] = "degree-5,degree-3"}},
-    {{[ROOT] = "newton-1"}},
     {{[MATH] = "relaxed"}},
-    {{[TL_STUDY_KNOB_LAYOUT] = "compact-12", [POWER] = "degree-3", [MATH] = "relaxed"}},
+    {{[POWER] = "degree-6", [MATH] = "relaxed"}},
+    {{[POWER] = "degree-4", [ROOT] = "newton-2", [MATH] = "relaxed"}},
+    {{[POWER] = "degree-3", [ROOT] = "newton-1", [MATH] = "relaxed"}},
+    {{[TL_STUDY_KNOB_LAYOUT] = "compact-16,compact-12", [MATH] = "relaxed"}},
+    {{[TL_STUDY_KNOB_LAYOUT] = "compact-12", [POWER] = "degree-4", [MATH] = "relaxed"}},
 };
 
 /* The words of one list. */
