@@ -44,6 +44,7 @@ static void usage_errors_are_said(void **state)
         {"-o d --size 64", "--size: \"64\" is no size"},
         {"-o d --lights l.json", "--lights goes with a scene"},
         {"-o d --camera 1", "--camera is for scenes"},
+        {"-o d --claims --again", "--claims are not measured a second time"},
         {"-o d --anew --again", "--anew forgets what --again is to measure"},
     };
     (void)state;
@@ -121,6 +122,21 @@ static void second_runs_are_told(void **state)
                "spheres: it was another frame that was measured under this name");
 }
 
+/* Added to the study that is there, theirs beside ours; then they are there. */
+static void claims_are_told(void **state)
+{
+    (void)state;
+    expect_run(TINY "-o s --claims", 0, "theirs  ours", "");
+    json_t *root = read_json("s/study.json");
+    const json_t *claims = json_object_get(root, "claims");
+    assert_int_equal(json_array_size(claims), 5);
+    for (size_t i = 0; i < 5; i++)
+        assert_true(json_array_size(json_object_get(json_array_get(claims, i), "figures")) > 0);
+    json_decref(root);
+    expect_run("cp s/study.csv s.csv; " TINY "-o s --claims && cmp s/study.csv s.csv", 0,
+               "scissors save about a half", "");
+}
+
 /* A capture of the user's, with lights of the user's; and two that have one name. */
 static void captures_are_studied(void **state)
 {
@@ -163,11 +179,9 @@ static int enter_folder(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(usage_errors_are_said),
-        cmocka_unit_test(studies_leave_data_and_maps),
-        cmocka_unit_test(second_runs_are_told),
-        cmocka_unit_test(captures_are_studied),
-        cmocka_unit_test(interrupted_studies_go_on),
+        cmocka_unit_test(usage_errors_are_said), cmocka_unit_test(studies_leave_data_and_maps),
+        cmocka_unit_test(second_runs_are_told),  cmocka_unit_test(claims_are_told),
+        cmocka_unit_test(captures_are_studied),  cmocka_unit_test(interrupted_studies_go_on),
     };
     return cmocka_run_group_tests(tests, enter_folder, NULL);
 }

@@ -33,6 +33,21 @@ static tl_study_record random_record(uint32_t *seed, const char *layout)
     return r;
 }
 
+/* Of two claims; one line has no figure of theirs. */
+static void make_claims(tl_study *study)
+{
+    for (int i = 1; i < TL_CLAIM_COUNT; i += 2) {
+        tl_claim_figures *figures = &study->claims[i];
+        for (int k = 0; k < TL_CLAIM_MOST_FIGURES; k++) {
+            tl_claim_figure *f = tl_claim_add(figures, "% \"saved\"", k, k + 1.5, 1e-3 * k + i,
+                                              "figure %d of %d", k, i);
+            f->low = -1.0;
+            f->high = 1e4;
+        }
+        figures->of[3].theirs[0] = figures->of[3].theirs[1] = (double)NAN;
+    }
+}
+
 static tl_study make_study(void)
 {
     static const char *const layouts[] = {"float", "merlin", "compact-12"};
@@ -40,6 +55,7 @@ static tl_study make_study(void)
     tl_study study = {.machine = {"a processor", 2, 0.5},
                       .device = {.name = "a device", .driver = "1", .compute_units = 2},
                       .command = "tilelight study -o x"};
+    make_claims(&study);
     study.count = 2;
     study.results = calloc(study.count, sizeof *study.results);
     for (size_t i = 0; i < study.count; i++) {
@@ -88,6 +104,22 @@ static void assert_same_record(const tl_study_record *a, const tl_study_record *
     assert_string_equal(a->map, b->map);
 }
 
+static void assert_same_claims(const tl_study *a, const tl_study *b)
+{
+    for (int i = 0; i < TL_CLAIM_COUNT; i++) {
+        assert_int_equal(a->claims[i].count, b->claims[i].count);
+        for (size_t k = 0; k < a->claims[i].count; k++) {
+            const tl_claim_figure *x = &a->claims[i].of[k], *y = &b->claims[i].of[k];
+            assert_string_equal(x->what, y->what);
+            assert_string_equal(x->unit, y->unit);
+            assert_true(is_near(x->theirs[0], y->theirs[0]) &&
+                        is_near(x->theirs[1], y->theirs[1]));
+            assert_true(is_near(x->ours, y->ours) && is_near(x->low, y->low) &&
+                        is_near(x->high, y->high));
+        }
+    }
+}
+
 static void studies_come_back(void **state)
 {
     tl_study study = make_study(), read = {0};
@@ -102,6 +134,7 @@ static void studies_come_back(void **state)
     assert_string_equal(read.device.name, study.device.name);
     assert_string_equal(read.device.driver, study.device.driver);
     assert_string_equal(read.command, study.command);
+    assert_same_claims(&study, &read);
     assert_int_equal(read.count, study.count);
     for (size_t i = 0; i < study.count; i++) {
         const tl_study_result *a = &study.results[i], *b = &read.results[i];

@@ -298,6 +298,16 @@ done:
     return status;
 }
 
+tl_status tl_study_claims_find(tl_study *study, const tl_claim_options *options, tl_error *err)
+{
+    tl_status status = TL_OK;
+    for (int i = 0; i < TL_CLAIM_COUNT; i++)
+        if (study->claims[i].count == 0)
+            TRY(tl_claims[i].find(options, &study->claims[i], err));
+done:
+    return status;
+}
+
 tl_status tl_study_write(tl_study *study, const char *folder, tl_error *err)
 {
     char path[PATH_SIZE];
@@ -344,6 +354,7 @@ tl_status tl_study_resume(tl_study *study, const char *folder, tl_error *err)
     study->machine = before.machine;
     if (!study->command[0])
         memcpy(study->command, before.command, sizeof study->command);
+    memcpy(study->claims, before.claims, sizeof study->claims);
     study->results = before.results;
     study->count = before.count;
     before.results = NULL;

@@ -6,6 +6,7 @@
 #ifndef TL_STUDY_H
 #define TL_STUDY_H
 
+#include "claims.h"
 #include "front.h"
 #include "machine.h"
 #include "plan.h"
@@ -32,6 +33,7 @@ typedef struct tl_study {
     char command[1024];       /* that does it again; may be empty */
     tl_study_result *results; /* [count]; owned */
     size_t count;
+    tl_claim_figures claims[TL_CLAIM_COUNT]; /* by tl_claims; of those that are measured */
 } tl_study;
 
 void tl_study_clear(tl_study *study);
@@ -73,6 +75,9 @@ tl_status tl_study_run(tl_study *study,
                        size_t *measured,
                        int *was_stopped,
                        tl_error *err);
+
+/* Measures the claims that *study has no figures of. Fails as they do; what was measured before is there. */
+tl_status tl_study_claims_find(tl_study *study, const tl_claim_options *options, tl_error *err);
 
 /* Finds the fronts and writes FOLDER/study.json and FOLDER/study.csv. Fails with TL_ERR_WRITE or
  * TL_ERR_MEMORY. */

@@ -1,6 +1,7 @@
 #include "study_json.h"
 
 #include "bench_json.h"
+#include "claims_json.h"
 #include "json_values.h"
 #include "maps.h"
 #include "try.h"
@@ -116,7 +117,7 @@ tl_status tl_study_json_write(const tl_study *study, const char *path, tl_error 
     for (size_t i = 0; i < study->count; i++)
         json_array_append_new(frames, result_json(&study->results[i]));
     json_t *report = json_pack(
-        "{si s{ss si so} so ss so so so so s{si sf} s[ff] so}", "tilelight_study",
+        "{si s{ss si so} so ss so so so so s{si sf} s[ff] so so}", "tilelight_study",
         TL_STUDY_JSON_VERSION, "machine", "processor", study->machine.processor, "threads",
         (int)study->machine.threads, "load_before", tl_json_number(study->machine.load),
         "device", tl_bench_json_device(&study->device), "command", study->command, "knobs",
@@ -124,7 +125,8 @@ tl_status tl_study_json_write(const tl_study *study, const char *path, tl_error 
         rows_json(tl_study_time_rows, TL_STUDY_TIME_COUNT), "values",
         rows_json(tl_study_value_rows, TL_STUDY_VALUE_COUNT), "intervals", "blocks",
         TL_STUDY_BLOCK_COUNT, "coverage", tl_study_interval_coverage(), "map_errors",
-        TL_STUDY_MAP_LOW, TL_STUDY_MAP_HIGH, "frames", frames);
+        TL_STUDY_MAP_LOW, TL_STUDY_MAP_HIGH, "claims", tl_claims_json(study->claims), "frames",
+        frames);
     return tl_json_write(path, report, err);
 }
 
@@ -265,6 +267,7 @@ tl_status tl_study_json_read(const char *path, tl_study *study, tl_error *err)
         TRY(tl_fail(err, TL_ERR_FORMAT, "%s: a study of version %lld; this program reads %d",
                     path, (long long)json_integer_value(version), TL_STUDY_JSON_VERSION));
     read_machine(root, &made);
+    tl_claims_of_json(json_object_get(root, "claims"), made.claims);
     made.results = calloc(json_array_size(frames) + 1, sizeof *made.results);
     if (!made.results)
         TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for a study"));

@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "console.h"
 #include "job_light.h"
+#include "study_claims.h"
 #include "study_options.h"
 #include "study_table.h"
 #include "try.h"
@@ -217,6 +218,16 @@ done:
     return status;
 }
 
+static tl_status find_claims(const study_command *options,
+                             tl_study *study,
+                             tl_device *device,
+                             tl_error *err)
+{
+    const tl_claim_options how = {device, options->width, options->height, options->seconds};
+    console_stage("measuring what the sources claim");
+    return tl_study_claims_find(study, &how, err);
+}
+
 static tl_status make_plan(const study_command *options, tl_study_plan *plan, tl_error *err)
 {
     return options->knobs_given ? tl_study_plan_add(plan, &options->lists, err)
@@ -238,6 +249,8 @@ static tl_status run(study_command *options, tl_study *study, tl_error *err)
         TRY(tl_study_resume(study, options->folder, err));
     listen_for_interrupts();
     TRY(study_frames(options, study, device, &plan, err));
+    if (options->claims)
+        TRY(find_claims(options, study, device, err));
     tl_study_drop_maps(study, options->folder);
     TRY(tl_study_write(study, options->folder, err));
     console_stage(NULL);
@@ -247,6 +260,8 @@ static tl_status run(study_command *options, tl_study *study, tl_error *err)
         study_print(stdout, &study->results[i]);
     if (options->again)
         study_print_again(stdout, study);
+    if (options->claims)
+        study_print_claims(stdout, study);
 done:
     tl_study_plan_clear(&plan);
     tl_device_close(device);

@@ -13,6 +13,7 @@ enum {
     OPTION_QUICK = 256,
     OPTION_KNOB,
     OPTION_LIST,
+    OPTION_CLAIMS,
     OPTION_ANEW,
     OPTION_AGAIN,
     OPTION_SECONDS,
@@ -46,6 +47,8 @@ static void check_together(const study_command *options, struct argp_state *stat
         argp_error(state, "-o DIR is missing: the folder for what is measured");
     if (options->anew && options->again)
         argp_error(state, "--anew forgets what --again is to measure a second time: give one");
+    if (options->claims && options->again)
+        argp_error(state, "--claims are not measured a second time: leave them out of --again");
     if (options->camera && options->scene_count == 0)
         argp_error(state, "--camera is for scenes");
     if (options->lights && options->scene_count == 0)
@@ -69,6 +72,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
     case OPTION_QUICK: options->quick = true; return 0;
     case OPTION_KNOB: take_knob(options, text, state); return 0;
     case OPTION_LIST: options->list = true; return 0;
+    case OPTION_CLAIMS: options->claims = true; return 0;
     case OPTION_ANEW: options->anew = true; return 0;
     case OPTION_AGAIN: options->again = true; return 0;
     case OPTION_SECONDS:
@@ -107,6 +111,11 @@ static const struct argp_option options_table[] = {
     {"seconds", OPTION_SECONDS, "S", 0,
      "How long the lighting of each configuration is timed, and each kind of file (default 2, "
      "with --quick 1); 22 frames at least",
+     1},
+    {"claims", OPTION_CLAIMS, NULL, 0,
+     "Measure too what the documents claim that layouts and formulas come from, on frames of "
+     "its "
+     "own, and tell theirs beside ours",
      1},
     {"anew", OPTION_ANEW, NULL, 0, "Measure all anew, and forget what DIR holds", 1},
     {"again", OPTION_AGAIN, NULL, 0,
