@@ -1,0 +1,13 @@
+# The study: tests of what it says, whatever the times are.
+pkg_check_modules(JANSSON REQUIRED IMPORTED_TARGET jansson)
+tl_test(test_study_plan unit tl_study)
+tl_test(test_study_front unit tl_study)
+tl_test(test_study_intervals unit tl_study)
+tl_test(test_study_json unit tl_study)
+tl_test(test_study_claims device tl_study)
+add_executable(test_position_operations test_position_operations.cpp)
+target_include_directories(test_position_operations PRIVATE ${PROJECT_SOURCE_DIR}/kernels)
+target_link_libraries(test_position_operations PRIVATE tl_study)
+add_test(NAME test_position_operations COMMAND test_position_operations)
+tl_test_properties(test_position_operations unit)
+tl_test(test_study_run device tl_study)
