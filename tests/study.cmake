@@ -10,4 +10,5 @@ target_include_directories(test_position_operations PRIVATE ${PROJECT_SOURCE_DIR
 target_link_libraries(test_position_operations PRIVATE tl_study)
 add_test(NAME test_position_operations COMMAND test_position_operations)
 tl_test_properties(test_position_operations unit)
+tl_test(test_study_page unit tl_study_page PkgConfig::JANSSON)
 tl_test(test_study_run device tl_study)

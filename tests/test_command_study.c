@@ -45,6 +45,8 @@ static void usage_errors_are_said(void **state)
         {"-o d --lights l.json", "--lights goes with a scene"},
         {"-o d --camera 1", "--camera is for scenes"},
         {"-o d --claims --again", "--claims are not measured a second time"},
+        {"-o d --page --knob tile=8", "--page measures nothing"},
+        {"-o d --page x.exr", "--page measures nothing"},
         {"-o d --anew --again", "--anew forgets what --again is to measure"},
     };
     (void)state;
@@ -79,6 +81,10 @@ static void studies_leave_data_and_maps(void **state)
         assert_true(!is_on_front || exists("s", map));
     }
     assert_true(exists("s", "maps/spheres.png"));
+    expect_run(
+        "mv s/study.html page.html && $T study --page -o s && cmp s/study.html page.html", 0,
+        "", "");
+    expect_run("$T study --page -o nowhere", 3, "", "nowhere/study.json");
     assert_non_null(strstr(json_string_value(json_object_get(root, "command")), "--quick"));
     json_decref(root);
     static char text[65536];

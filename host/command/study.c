@@ -7,6 +7,7 @@
 #include "job_light.h"
 #include "study_claims.h"
 #include "study_options.h"
+#include "study_page.h"
 #include "study_table.h"
 #include "try.h"
 #ifdef TILELIGHT_RASTER
@@ -253,6 +254,7 @@ static tl_status run(study_command *options, tl_study *study, tl_error *err)
         TRY(find_claims(options, study, device, err));
     tl_study_drop_maps(study, options->folder);
     TRY(tl_study_write(study, options->folder, err));
+    TRY(tl_study_page_write(options->folder, err));
     console_stage(NULL);
     if (options->quiet)
         goto done;
@@ -289,6 +291,8 @@ int command_study(int argc, char **argv)
         note_command(argc, argv, study.command, sizeof study.command);
     if (options.list)
         study_print_list(stdout);
+    else if (options.page)
+        status = tl_study_page_write(options.folder, &err);
     else
         status = run(&options, &study, &err);
     tl_study_clear(&study);

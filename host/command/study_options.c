@@ -15,6 +15,7 @@ enum {
     OPTION_LIST,
     OPTION_CLAIMS,
     OPTION_ANEW,
+    OPTION_PAGE,
     OPTION_AGAIN,
     OPTION_SECONDS,
     OPTION_LIGHTS,
@@ -49,6 +50,11 @@ static void check_together(const study_command *options, struct argp_state *stat
         argp_error(state, "--anew forgets what --again is to measure a second time: give one");
     if (options->claims && options->again)
         argp_error(state, "--claims are not measured a second time: leave them out of --again");
+    if (options->page && (options->scene_count > 0 || options->knobs_given ||
+                          options->again || options->anew || options->claims))
+    if (options->page &&
+        (options->scene_count > 0 || options->knobs_given || options->again || options->anew || options->claims))
+        argp_error(state, "--page measures nothing: it goes with -o DIR alone");
     if (options->camera && options->scene_count == 0)
         argp_error(state, "--camera is for scenes");
     if (options->lights && options->scene_count == 0)
@@ -74,6 +80,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
     case OPTION_LIST: options->list = true; return 0;
     case OPTION_CLAIMS: options->claims = true; return 0;
     case OPTION_ANEW: options->anew = true; return 0;
+    case OPTION_PAGE: options->page = true; return 0;
     case OPTION_AGAIN: options->again = true; return 0;
     case OPTION_SECONDS:
         options->seconds = value_number(state, "--seconds", text, 0.001, 3600.0);
@@ -96,8 +103,8 @@ static error_t parse(int key, char *text, struct argp_state *state)
 
 static const struct argp_option options_table[] = {
     {NULL, 'o', "DIR", 0,
-     "Folder for what is measured, made if it is not there: study.json, study.csv, maps/. What "
-     "it holds of the same machine, frame and options is not measured again",
+     "Folder for what is measured, made if it is not there: study.html, study.json, study.csv, "
+     "maps/. What it holds of the same machine, frame and options is not measured again",
      1},
     {"quick", OPTION_QUICK, NULL, 0,
      "Fewer configurations, fewer pixels unless --size says how many, one built-in frame, and "
@@ -125,6 +132,9 @@ static const struct argp_option options_table[] = {
      1},
     {"list", OPTION_LIST, NULL, 0,
      "Describe knobs, causes and built-in frames; measure nothing", 1},
+    {"page", OPTION_PAGE, NULL, 0,
+     "Make study.html of the study.json that DIR holds, of whichever machine; measure nothing",
+     1},
     {"quiet", 'q', NULL, 0, "No table and no progress; errors are still said", 1},
     {"size", OPTION_SIZE, "WIDTHxHEIGHT", 0,
      "Pixels of scenes and built-in frames (default 1280x720, with --quick 640x360); captures "
@@ -157,7 +167,9 @@ static const char after[] =
     "A time is the median of 11 blocks, stated with the least and the largest of them: between "
     "these another run's lies in 98.8 of 100, and --again sees whether it does. What drifts "
     "while it is measured is marked unstable. The table at the end has the configurations that "
-    "none beats in time and error.\n\n"
+    "none beats in time and error; study.html shows all of them, and needs neither another "
+    "file "
+    "nor a network.\n\n"
     "Ctrl-C ends it after the configuration that it is at; the same command goes on from "
     "there.";
 

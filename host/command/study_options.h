@@ -17,7 +17,7 @@ typedef struct study_command {
     const char *lights, *device, *camera; /* NULL: what the frame brings; the default one */
     uint32_t width, height;               /* 0: not given */
     double seconds;                       /* 0: not given */
-    bool quick, claims, anew, again, quiet, list;
+    bool quick, claims, anew, again, quiet, list, page;
     tl_import_options import;
     tl_study_lists lists; /* of --knob; their memory is `words`' */
     bool knobs_given;

@@ -202,4 +202,16 @@ FAULTS = [
     Fault("position-operations", "a position takes one more operation than is said", "kernels/depth_code.h",
           "return FMA(stored, R(-0.5), R(0.5));", "return R(0.5) - stored * R(0.5);",
           "test_position_operations", []),
+    # tests/browser/page_faults.py has those of the page's scripts and styles.
+    Fault("page-markup", "a name in a study ends the page's script", "bench/study/page/study_page.c",
+          "if (*c == '<')", "if (*c == '\\1')", "test_study_page", []),
+    Fault("page-any-file", "a page takes files along that are no pictures", "bench/study/page/study_page.c",
+          "!is_png(bytes, size)", "(size == 0 && is_png(bytes, size))", "test_study_page", []),
+    Fault("page-digits", "a page has fewer digits than its study", "bench/study/page/study_page.c",
+          "JSON_REAL_PRECISION(9)", "JSON_REAL_PRECISION(7)", "test_study_page", []),
+    Fault("page-part", "a part of a page stands in another's place", "bench/study/page/study_page.c",
+          "{\"page_maps.js\", tl_page_maps_js, 0}", "{\"page_maps.js\", tl_page_front_js, 0}",
+          "test_study_page", []),
+    Fault("page-base64", "the last bytes of a picture are padded wrongly", "bench/study/page/base64.c",
+          "left > 2 ? digits", "left > 1 ? digits", "test_study_page", []),
 ]
