@@ -1,0 +1,48 @@
+"""Faults for study.html, and which check of study_page.py has to find each.
+
+(check, ((text, what is planted in its place), ...))
+"""
+
+FAULTS = [
+    ("loads", (("byId('findings-list')", "byId('finding-list')"),)),
+    ("asks_nothing_of_a_network", (
+        ("default-src 'none'; img-src data: blob:", "default-src 'none'; img-src *"),
+        ('<link rel="icon" href="data:,">', '<img src="http://127.0.0.1:9/a.png">'))),
+    ("has_a_point_for_each", (("selectAll('g').data(order)", "selectAll('g').data(order.slice(1))"),)),
+    ("puts_points_where_they_belong", (("point.y > 0 ? y(point.y)", "point.y > 0 ? y(1.05 * point.y)"),)),
+    ("puts_points_where_they_belong", (("x: point.x ? x(point.x.median)", "x: point.x ? x(point.x.low)"),)),
+    ("puts_points_where_they_belong", (("point.y > 0 ? y(point.y) : box.zero", "y(point.y || 1e-5)"),)),
+    ("puts_points_where_they_belong", (("box.left + box.gutter / 2,", "x(1),"),)),
+    ("marks_the_front", (("timeA <= timeB && errorA <= errorB", "timeA <= timeB && errorA >= errorB"),)),
+    ("marks_the_front", (("(config.hasUsualFiles || !/^light/.test(timeKey))", "true"),)),
+    ("marks_what_is_unstable", (("if (point.isUnstable)", "if (point.isUnstable && point.number)"),)),
+    ("is_reached_by_keys", (("order.indexOf(shown.selected) + step",
+                             "order.indexOf(shown.selected) + 2 * step"),)),
+    ("is_reached_by_keys", (("const isX = key !== 'ArrowUp' && key !== 'ArrowDown';",
+                             "const isX = key === 'ArrowLeft' || key === 'ArrowRight';"),)),
+    ("is_reached_by_keys", (("point.setAttribute('tabindex', is ? 0 : -1)",
+                             "point.setAttribute('tabindex', -1)"),)),
+    ("is_reached_by_keys", ((".plot .points:focus-within ~ .ring.selected { stroke-width: 4; }", ""),)),
+    ("is_reached_by_pointer", (("(event.clientX - box.left)", "event.clientX"),)),
+    ("moves_the_line", (("clip-path: inset(0 0 0 calc(var(--split) * 1%))",
+                         "clip-path: inset(0 0 0 calc(var(--split) * 0.96%))"),)),
+    ("moves_the_line", (("slider.addEventListener('input', () => move(slider.value));", ""),)),
+    ("moves_the_line", (("if (event.buttons & 1)", "if (event.buttons & 2)"),)),
+    ("moves_the_line", (("image-rendering: pixelated;", ""),)),
+    ("sorts", (("return sign * (a - b);", "return sign * String(a).localeCompare(String(b));"),)),
+    ("sorts", (("isUp ? 'ascending' : 'descending'", "'ascending'"),)),
+    ("shows_claims", (("byId('claims').hidden = byId('to-claims').hidden = rows.length === 0",
+                       "byId('claims').hidden = byId('to-claims').hidden = true"),)),
+    ("has_contrast", (("--quiet: #555e68", "--quiet: #808993"),)),
+    ("has_contrast", (("--accent: #84b6ff", "--accent: #2f5fa8"),)),
+    ("has_contrast", (("@media (prefers-color-scheme: dark)", "@media (prefers-color-scheme: none)"),)),
+    ("fits_a_telephone", (('id="map-of"', 'id="map-of" style="min-width: 30rem"'),)),
+    ("fits_a_telephone", (("font: 12px system-ui", "font: 11px system-ui"),)),
+    ("fits_a_telephone", (("if (columns.isNarrow)\n                axis.selectAll('text').remove();", ""),)),
+    ("keeps_still", (("@media (prefers-reduced-motion: no-preference)", "@media all"),)),
+    ("saves_plots", (("copy.insertBefore(of, copy.firstChild);", ""),)),
+    ("saves_plots", (("make('a', { href: url, download: name }).click();", ""),)),
+    ("has_its_plots_as_files", (("selectAll('g').data(order)", "selectAll('g').data(order.slice(1))"),)),
+    ("tells_findings", (("c.values.error_rms <= limit", "c.values.error_rms >= limit"),)),
+    ("tells_findings", (("counts[b] - counts[a]", "counts[a] - counts[b]"),)),
+]
