@@ -33,7 +33,7 @@ typedef struct run {
 
 tl_study_options tl_study_options_default(void)
 {
-    return (tl_study_options){.seconds = 2.0};
+    return (tl_study_options){.seconds = 1.0};
 }
 
 void tl_study_clear(tl_study *study)

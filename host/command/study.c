@@ -22,7 +22,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-static const double usual_seconds = 2.0, quick_seconds = 1.0;
+static const double usual_seconds = 1.0, quick_seconds = 0.5;
 
 static volatile sig_atomic_t is_interrupted;
 
@@ -167,8 +167,8 @@ static int count_frames(const study_command *options)
 static void complete(study_command *options)
 {
     if (options->width == 0) {
-        options->width = options->quick ? 640 : 1280;
-        options->height = options->quick ? 360 : 720;
+        options->width = options->quick ? 640 : 960;
+        options->height = options->quick ? 360 : 540;
     }
     if (options->seconds == 0.0)
         options->seconds = options->quick ? quick_seconds : usual_seconds;

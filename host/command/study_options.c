@@ -116,8 +116,8 @@ static const struct argp_option options_table[] = {
      "describes knobs and words; all stands for every word",
      1},
     {"seconds", OPTION_SECONDS, "S", 0,
-     "How long the lighting of each configuration is timed, and each kind of file (default 2, "
-     "with --quick 1); 22 frames at least",
+     "How long the lighting of each configuration is timed, and each kind of file (default 1, "
+     "with --quick 0.5); 22 frames at least",
      1},
     {"claims", OPTION_CLAIMS, NULL, 0,
      "Measure too what the documents claim that layouts and formulas come from, on frames of "
@@ -137,7 +137,7 @@ static const struct argp_option options_table[] = {
      1},
     {"quiet", 'q', NULL, 0, "No table and no progress; errors are still said", 1},
     {"size", OPTION_SIZE, "WIDTHxHEIGHT", 0,
-     "Pixels of scenes and built-in frames (default 1280x720, with --quick 640x360); captures "
+     "Pixels of scenes and built-in frames (default 960x540, with --quick 640x360); captures "
      "have theirs",
      2},
     {"camera", OPTION_CAMERA, "NAME|INDEX", 0,
