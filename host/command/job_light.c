@@ -2,6 +2,7 @@
 
 #include "approximation_options.h"
 #include "console.h"
+#include "job_promise.h"
 #include "light_words.h"
 #include "try.h"
 
@@ -79,8 +80,27 @@ static tl_status resolve(job *j, tl_error *err)
     return TL_OK;
 }
 
-tl_status job_light(
-    job *j, const lighting_choice *choice, tl_device *device, explained *told, tl_error *err)
+static tl_status light_as_chosen(job *j,
+                                 tl_device *device,
+                                 const tl_lighting_options *options,
+                                 tl_lighting_counts *counts,
+                                 tl_lighting **lighting,
+                                 tl_error *err)
+{
+    tl_status status = TL_OK;
+    TRY(tl_lighting_create(device, options, lighting, err));
+    TRY(tl_lighting_run(*lighting, j->gbuffer, &j->lights, j->image, &j->timings,
+                        &console_notices, counts, err));
+done:
+    return status;
+}
+
+tl_status job_light(job *j,
+                    const lighting_choice *choice,
+                    const tl_goal *goal,
+                    tl_device *device,
+                    explained *told,
+                    tl_error *err)
 {
     tl_status status = TL_OK;
     const tl_camera *camera = &j->gbuffer->camera;
@@ -96,9 +116,10 @@ tl_status job_light(
     TRY(job_default_lights(j, err));
     tell_model(j);
     TRY(tl_image_create(camera->width, camera->height, &j->image, err));
-    TRY(tl_lighting_create(device, &options, &lighting, err));
-    TRY(tl_lighting_run(lighting, j->gbuffer, &j->lights, j->image, &j->timings,
-                        &console_notices, &counts, err));
+    if (goal)
+        TRY(job_promise_light(j, goal, device, &options, &counts, &lighting, err));
+    else
+        TRY(light_as_chosen(j, device, &options, &counts, &lighting, err));
     if (told)
         TRY(explain_take(j, lighting, &options, &counts, told, err));
     TRY(resolve(j, err));

@@ -3,6 +3,7 @@
 #define TL_JOB_LIGHT_H
 
 #include "explain.h"
+#include "goal.h"
 #include "job.h"
 #include "lighting_options.h"
 
@@ -17,9 +18,14 @@ tl_status job_prepare_light(job *j,
 /* Adds a default rig, and says so, where neither a file nor the G-buffer brought lights. */
 tl_status job_default_lights(job *j, tl_error *err);
 
-/* From the job's G-buffer and lights to its image. Without lights, a default rig lights it. `told` is
+/* From the job's G-buffer and lights to its image. Without lights, a default rig lights it. `goal` is what
+ * the picture is to keep; NULL: it is lit as the choice says. `told` is
  * what --explain tells of, released with explained_clear; NULL where nothing asks for it. */
-tl_status job_light(
-    job *j, const lighting_choice *choice, tl_device *device, explained *told, tl_error *err);
+tl_status job_light(job *j,
+                    const lighting_choice *choice,
+                    const tl_goal *goal,
+                    tl_device *device,
+                    explained *told,
+                    tl_error *err);
 
 #endif

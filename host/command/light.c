@@ -3,17 +3,26 @@
 #include "console.h"
 #include "import_options.h"
 #include "job_light.h"
+#include "promise_options.h"
 #include "try.h"
 #include "values.h"
 
 typedef struct light_options {
     const char *gbuffer;
     lighting_choice lighting;
+    promise_choice promise;
     tl_import_options import;
     picture_options pictures;
     explain_options explain;
     report_options report;
 } light_options;
+
+static void check_together(const light_options *options, struct argp_state *state)
+{
+    if (options->report.json && picture_on_standard_output(&options->pictures))
+        argp_error(state, "-o - and --json both want standard output");
+    promise_check_together(&options->promise, &options->lighting, &options->pictures, state);
+}
 
 static error_t parse(int key, char *text, struct argp_state *state)
 {
@@ -26,11 +35,11 @@ static error_t parse(int key, char *text, struct argp_state *state)
         state->child_inputs[2] = &options->import;
         state->child_inputs[3] = &options->report;
         state->child_inputs[4] = &options->explain;
+        state->child_inputs[5] = &options->promise;
         return 0;
     }
-    if (key == ARGP_KEY_SUCCESS && options->report.json &&
-        picture_on_standard_output(&options->pictures))
-        argp_error(state, "-o - and --json both want standard output");
+    if (key == ARGP_KEY_SUCCESS)
+        check_together(options, state);
     return import_argument(key, text, state, &arguments, &options->import);
 }
 
@@ -40,6 +49,7 @@ static const struct argp_child children[] = {
     {&import_argp, 0, "Captures of other programs (docs/file-formats.md):", 3},
     {&report_argp, 0, "Reports:", 4},
     {&explain_argp, 0, "What the frame called for:", 5},
+    {&promise_argp, 0, "Accuracy for time (docs/promise.md):", 6},
     {0},
 };
 
@@ -54,14 +64,17 @@ static const struct argp argp = {
 static tl_status run(job *j, const light_options *options, tl_device **device, tl_error *err)
 {
     tl_status status = TL_OK;
+    tl_goal goal;
     explained told = {.asked = &options->explain};
     TRY(picture_check(&options->pictures, options->gbuffer, err));
     TRY(explain_check(&options->explain, options->gbuffer, err));
     TRY(job_begin(j, &options->report, err));
     TRY(job_prepare_light(j, &options->lighting, device, err));
     TRY(job_read(j, options->gbuffer, &options->import, options->lighting.strict, err));
-    TRY(job_light(j, &options->lighting, *device,
-                  explain_wanted(&options->explain) ? &told : NULL, err));
+    TRY(job_light(j, &options->lighting,
+                  promise_goal(&options->promise, &options->pictures,
+                               j->has_look ? &j->look : NULL, &goal),
+                  *device, explain_wanted(&options->explain) ? &told : NULL, err));
     TRY(job_write_pictures(j, &options->pictures, err));
     TRY(explain_tell(j, &options->explain, &told, err));
     TRY(job_finish(j, &options->report, err));

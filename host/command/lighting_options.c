@@ -51,6 +51,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         options->cull = (tl_cull)value_word(state, "--cull", text, &culls);
         return 0;
     case OPTION_PRECISION:
+        choice->chosen = "--precision";
         options->precision = (tl_precision)value_word(state, "--precision", text, &precisions);
         return 0;
     case OPTION_PATH:
@@ -68,6 +69,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         options->vector_width = value_among(state, "--width", text, widths, COUNT_OF(widths));
         return 0;
     case OPTION_CUTOFF:
+        choice->chosen = "--light-cutoff";
         options->light_cutoff = (float)value_number(state, "--light-cutoff", text, 0.0, 1e30);
         return 0;
     case OPTION_MEMORY:

@@ -11,7 +11,9 @@ typedef struct lighting_choice {
     tl_lighting_options options;
     const char *device; /* NULL: the default one */
     const char *lights; /* a lights file; NULL: what the frame brings */
-    bool strict;        /* refuse pixels that would have to be repaired */
+    const char
+        *chosen; /* an option that was given and that promises choose themselves; NULL: none */
+    bool strict; /* refuse pixels that would have to be repaired */
 } lighting_choice;
 
 lighting_choice lighting_choice_default(void);

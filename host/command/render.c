@@ -3,6 +3,7 @@
 #include "console.h"
 #include "job_capture.h"
 #include "job_light.h"
+#include "promise_options.h"
 #include "tilelight/scatter.h"
 #include "try.h"
 #include "values.h"
@@ -12,6 +13,7 @@ typedef struct render_options {
     uint32_t scatter_count; /* 0: none */
     tl_capture_options capture;
     lighting_choice lighting;
+    promise_choice promise;
     picture_options pictures;
     explain_options explain;
     report_options report;
@@ -25,6 +27,7 @@ static void check_together(const render_options *options, struct argp_state *sta
         argp_error(state, "--scatter and --lights exclude each other");
     if (options->report.json && picture_on_standard_output(&options->pictures))
         argp_error(state, "-o - and --json both want standard output");
+    promise_check_together(&options->promise, &options->lighting, &options->pictures, state);
 }
 
 static error_t parse(int key, char *text, struct argp_state *state)
@@ -39,6 +42,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         state->child_inputs[2] = &options->lighting;
         state->child_inputs[3] = &options->report;
         state->child_inputs[4] = &options->explain;
+        state->child_inputs[5] = &options->promise;
         return 0;
     case OPTION_SCATTER:
         options->scatter_count = value_integer(state, "--scatter", text, 1, TL_MAX_SCATTERED);
@@ -62,6 +66,7 @@ static const struct argp_child children[] = {
     {&lighting_argp, 0, "Lighting:", 3},
     {&report_argp, 0, "Reports:", 5},
     {&explain_argp, 0, "What the frame called for:", 6},
+    {&promise_argp, 0, "Accuracy for time (docs/promise.md):", 7},
     {0},
 };
 
@@ -93,6 +98,7 @@ done:
 static tl_status run(job *j, const render_options *options, tl_device **device, tl_error *err)
 {
     tl_status status = TL_OK;
+    tl_goal goal;
     explained told = {.asked = &options->explain};
     tl_capture_options capture = options->capture;
     TRY(picture_check(&options->pictures, options->scene, err));
@@ -102,8 +108,10 @@ static tl_status run(job *j, const render_options *options, tl_device **device, 
     capture.materials |= j->lights.material_count > 0;
     TRY(job_capture(j, options->scene, &capture, options->lighting.strict, err));
     TRY(scatter(j, options->scatter_count, err));
-    TRY(job_light(j, &options->lighting, *device,
-                  explain_wanted(&options->explain) ? &told : NULL, err));
+    TRY(job_light(j, &options->lighting,
+                  promise_goal(&options->promise, &options->pictures,
+                               j->has_look ? &j->look : NULL, &goal),
+                  *device, explain_wanted(&options->explain) ? &told : NULL, err));
     TRY(job_write_pictures(j, &options->pictures, err));
     TRY(explain_tell(j, &options->explain, &told, err));
     TRY(job_finish(j, &options->report, err));

@@ -141,7 +141,7 @@ void tl_program_entry_release(tl_program_entry *entry)
 }
 
 /* Every folder on the way, as the XDG base directory specification has them. */
-static void make_folders(const char *folder)
+void tl_program_cache_make_folder(const char *folder)
 {
     char *path = strdup(folder);
     for (char *at = path; at && (at = strchr(at + 1, '/'));) {
@@ -182,7 +182,7 @@ bool tl_program_cache_write(const char *folder, tl_bytes key, tl_bytes note, tl_
     bool written = false;
     char *path = path_of(folder, key, entry_suffix);
     char *bytes = assemble(key, note, binary, &size);
-    make_folders(folder);
+    tl_program_cache_make_folder(folder);
     if (path && bytes && size <= MAX_ENTRY_SIZE &&
         tl_atomic_file_begin(&file, path, NULL) == TL_OK)
         written = tl_write_all(file.descriptor, bytes, size) == 0 &&
@@ -234,7 +234,7 @@ int tl_program_cache_lock(const char *folder, tl_bytes key, double seconds)
     char *entry = path_of(folder, key, entry_suffix);
     bool wait = path && entry, appeared = false;
     int lock = -1;
-    make_folders(folder);
+    tl_program_cache_make_folder(folder);
     /* What is there already was read and found unfit. */
     const ino_t unfit = entry ? identity(entry) : 0;
     while (wait && lock < 0 && !appeared) {
@@ -307,9 +307,11 @@ static void look_through(int folder, DIR *opened, found_files *found)
     const time_t now = time(NULL);
     for (const struct dirent *entry; (entry = readdir(opened));) {
         const char *name = entry->d_name;
-        const bool is_entry = name[0] != '.' && ends_with(name, entry_suffix);
+        const bool is_entry = name[0] != '.' && (ends_with(name, entry_suffix) ||
+                                                 ends_with(name, TL_PROMISE_SUFFIX));
         const bool is_leftover = ends_with(name, lock_suffix) ||
-                                 (name[0] == '.' && strstr(name, ".program.tilelight-"));
+                                 (name[0] == '.' && (strstr(name, ".program.tilelight-") ||
+                                                     strstr(name, ".promise.json.tilelight-")));
         if ((!is_entry && !is_leftover) ||
             fstatat(folder, name, &seen, AT_SYMLINK_NOFOLLOW) != 0 || !S_ISREG(seen.st_mode))
             continue;

@@ -31,6 +31,13 @@ typedef struct tl_program_entry {
  * TILELIGHT_CACHE is empty, there is no home, or memory ran out. The folder need not exist. */
 char *tl_program_cache_folder(void);
 
+/* Makes the folder, for its owner alone, and every one on the way. What fails shows when a file is written. */
+void tl_program_cache_make_folder(const char *folder);
+
+/* What the names of other files end with that are kept beside the programs, of promises (host/promise/memory.h):
+ * trimming counts and removes them alike. */
+#define TL_PROMISE_SUFFIX ".promise.json"
+
 /* Whether there is a sound entry; *entry is then released with tl_program_entry_release, and is all
  * zero if not. Marks the entry as used now. */
 bool tl_program_cache_read(const char *folder, tl_bytes key, tl_program_entry *entry);

@@ -8,8 +8,18 @@
 #include "shape.h"
 #include "sky.h"
 
-/* What leaves the surface of a pixel towards the eye, lit by every light of the frame. */
-TL_INLINE vec3 light_surface(const tl_prepared *prepared, pixel in, surface s)
+/* Some lights of a frame, in index order: of: [count] indices, or NULL for the first `count`. */
+typedef struct light_choice {
+    const uint32_t *of;
+    uint32_t count;
+} light_choice;
+
+/* What leaves the surface of a pixel towards the eye, lit by these lights. Those that reach the pixel are
+ * among them; what others add is exactly nothing. */
+TL_INLINE vec3 light_surface_by(const tl_prepared *prepared,
+                                light_choice lights,
+                                pixel in,
+                                surface s)
 {
     const tl_frame *frame = &prepared->frame;
     const tl_needs needs = prepared->needs;
@@ -17,11 +27,19 @@ TL_INLINE vec3 light_surface(const tl_prepared *prepared, pixel in, surface s)
     const finish f = finish_of(needs, s, m);
     received sum = nothing_received();
     if (in.depth < (real)INFINITY) {
-        for (uint32_t i = 0; i < frame->light_count; i++)
+        for (uint32_t k = 0; k < lights.count; k++) {
+            const uint32_t i = lights.of ? lights.of[k] : k;
             sum = add_any_light(sum, frame, needs, prepared->lights, s, f, prepared->lights[i],
                                 prepared->spots[i], i < frame->global_count);
+        }
     }
     return radiance_of(frame, needs, in, m, sum);
+}
+
+/* The same, lit by every light of the frame. */
+TL_INLINE vec3 light_surface(const tl_prepared *prepared, pixel in, surface s)
+{
+    return light_surface_by(prepared, (light_choice){NULL, prepared->frame.light_count}, in, s);
 }
 
 /* Of a pixel that is not packed. */

@@ -1,0 +1,19 @@
+/* By how many of 255 codes a picture is off once it is shown. */
+#ifndef TL_PROMISE_CODES_H
+#define TL_PROMISE_CODES_H
+
+#include "deviation.h"
+#include "goal.h"
+
+/* The largest difference of any channel: as seen on the sample (of pixels of which a sample is all, where pixels are
+ * means of side x side of them, else 0), and an upper bound for all pixels: what the assumption of deviation.c
+ * leaves. Fails with TL_ERR_MEMORY. */
+tl_status tl_codes_off(const tl_goal *goal,
+                       const tl_sample *sample,
+                       const tl_deviation *deviation,
+                       const tl_image *image,
+                       uint32_t side,
+                       tl_estimate *out,
+                       tl_error *err);
+
+#endif
