@@ -1,0 +1,3 @@
+# Promises: what is chosen, checked and remembered.
+tl_test(test_promise_bound unit tl_promise tl_bench_scenes)
+tl_test(test_promise_sample unit tl_promise tl_bench_scenes)
