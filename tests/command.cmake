@@ -2,6 +2,7 @@
 pkg_check_modules(JANSSON REQUIRED IMPORTED_TARGET jansson)
 
 tl_test(test_capture_unlit raster tl_raster tl_lighting)
+tl_test(test_command_promise command tl_base PkgConfig::JANSSON)
 tl_test(test_command_usage command tl_base)
 tl_test(test_command_frames command tl_files PkgConfig::JANSSON)
 tl_test(test_same_processes command tl_base)
@@ -16,7 +17,7 @@ tl_test(test_command_materials command tl_base)
 tl_test(test_command_layouts command tl_gbuffer PkgConfig::JANSSON)
 tl_test(test_command_import command tl_files OpenEXRCore-3_1 PkgConfig::JANSSON)
 target_include_directories(test_command_import SYSTEM PRIVATE ${OPENEXR_INCLUDE_DIRS})
-foreach(name explain import usage samples frames convert ispc failures cache scene materials layouts)
+foreach(name explain import promise usage samples frames convert ispc failures cache scene materials layouts)
     add_dependencies(test_command_${name} tilelight)
 endforeach()
 

@@ -80,6 +80,13 @@ static tl_status resolve(job *j, tl_error *err)
     return TL_OK;
 }
 
+static void tell_approximations(job *j, const tl_approximations *of)
+{
+    approximations_tell(of);
+    if (!tl_approximations_are_default(of))
+        job_report(j, "approximations", approximations_json(of));
+}
+
 static tl_status light_as_chosen(job *j,
                                  tl_device *device,
                                  const tl_lighting_options *options,
@@ -110,9 +117,6 @@ tl_status job_light(job *j,
     options.keeps_tile_lights = told != NULL;
 
     console_stage("lighting");
-    approximations_tell(&options.approximations);
-    if (!tl_approximations_are_default(&options.approximations))
-        job_report(j, "approximations", approximations_json(&options.approximations));
     TRY(job_default_lights(j, err));
     tell_model(j);
     TRY(tl_image_create(camera->width, camera->height, &j->image, err));
@@ -120,6 +124,7 @@ tl_status job_light(job *j,
         TRY(job_promise_light(j, goal, device, &options, &counts, &lighting, err));
     else
         TRY(light_as_chosen(j, device, &options, &counts, &lighting, err));
+    tell_approximations(j, &options.approximations);
     if (told)
         TRY(explain_take(j, lighting, &options, &counts, told, err));
     TRY(resolve(j, err));

@@ -72,6 +72,10 @@ void promise_check_together(const promise_choice *promise,
 {
     if (!promise->option)
         return;
+    for (int knob = 0; knob < TL_KNOB_COUNT; knob++)
+        if (lighting->options.approximations.of[knob] != 0)
+            argp_error(state, "%s chooses --%s itself: leave one of them out", promise->option,
+                       tl_knobs[knob].word);
     if (lighting->chosen)
         argp_error(state, "%s chooses %s itself: leave one of them out", promise->option,
                    lighting->chosen);

@@ -32,7 +32,7 @@ double tl_mean_brightness(const tl_image *image)
 {
     enum { ROWS_A_THREAD_TAKES = 16 };
     double rows[TL_MAX_EXTENT], sum = 0.0;
-    job j = {image, 1, rows};
+    job j = {.image = image, .to = rows};
     tl_parallel(image->height, ROWS_A_THREAD_TAKES, add_rows, &j);
     for (uint32_t y = 0; y < image->height; y++)
         sum += rows[y];

@@ -9,7 +9,8 @@
 
 typedef struct tl_candidate {
     tl_precision precision;
-    float light_cutoff; /* lx */
+    float light_cutoff;               /* lx */
+    tl_approximations approximations; /* kernels/knobs.h */
 } tl_candidate;
 
 enum { TL_MOST_CANDIDATES = 32 };

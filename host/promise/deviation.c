@@ -6,13 +6,13 @@
  *
  * is the sum over all pixels of these strata, and bound.c bounds it from S and from the largest number that a pixel
  * may add to it. That number is where something is assumed, for no sample tells it: a pixel that was not drawn is
- * taken to be off by no more than `unseen` times as much as the worst that was drawn, in proportion to its own
- * brightness and the mean of the picture:
+ * taken to be off by no more than `unseen` times as much as the worst that was drawn, in proportion to the light that
+ * it has and that the picture has in the mean:
  *
  *     |a - b| <= peak (|a| + mean),  peak = unseen max over drawn p of |a - b| / (|a| + mean).
  *
- * What makes it a fair one: pixels that hang on rounding, which are off by as much as a light adds, are found by
- * looking at all of them (rims.h) and are not drawn but taken; what is left are multiples of rounding or of what an
+ * What makes it a fair one: pixels that may be off by far more than others are found by looking at all of them
+ * (rims.h) and are not drawn but taken; what is left are multiples of rounding or of what an
  * approximation is off by, times the light that the pixel has, and tiles where that is most are taken whole.
  *
  * mean is that of the picture. That of the reference is no less than mean - rms, for the mean of differences is no
@@ -30,7 +30,7 @@ static const double unseen = 4.0;
 /* A picture is made of floats: no sample shows that no pixel is off by the last bit. */
 static const double last_bit = 0x1p-23;
 
-/* Of the drawn pixel i: the square of what it is off by, and its share of brightness and mean. */
+/* Of the drawn pixel i: the square of what it is off by, and that as a share of its light and the mean's. */
 typedef struct off {
     double square, share;
 } off;
@@ -38,7 +38,7 @@ typedef struct off {
 static off off_of(const tl_sample *sample, const tl_image *image, double mean, size_t i)
 {
     const tl_pixel_at at = sample->at[i];
-    const double brightness = tl_brightness(image, at.x, at.y) + mean;
+    const double light = tl_brightness(image, at.x, at.y) + mean;
     double square = 0.0;
     for (unsigned c = 0; c < 3; c++) {
         const float got = tl_image_plane(image, c)[(size_t)at.y * image->pitch + at.x];
@@ -47,9 +47,9 @@ static off off_of(const tl_sample *sample, const tl_image *image, double mean, s
     }
     if (!isfinite(square))
         return (off){(double)INFINITY, (double)INFINITY};
-    if (square > 0.0 && !(brightness > 0.0))
+    if (square > 0.0 && !(light > 0.0))
         return (off){square, (double)INFINITY};
-    return (off){square, square > 0.0 ? sqrt(square) / brightness : 0.0};
+    return (off){square, square > 0.0 ? sqrt(square) / light : 0.0};
 }
 
 static double weight_of(tl_stratum s)
@@ -87,8 +87,8 @@ tl_status tl_deviation_find(const tl_sample *sample,
     double peaks[2] = {unseen * last_bit, unseen * last_bit};
     if (!brightest)
         return tl_fail(err, TL_ERR_MEMORY, "out of memory for a check of %u tiles", tiles);
-    tl_brightest_of_tiles(image, TL_RIM_TILE, brightest);
     *out = (tl_deviation){.mean = tl_mean_brightness(image)};
+    tl_brightest_of_tiles(image, TL_RIM_TILE, brightest);
     for (size_t i = 0; i < sample->count; i++) {
         const tl_stratum s = sample->strata[sample->stratum[i]];
         double *peak = &peaks[sample->stratum[i] == tiles];

@@ -121,7 +121,7 @@ static tl_status out_of_memory(const tl_sample *sample, tl_error *err)
 static tl_status facts_find(const tl_prepared *prepared,
                             const tl_gbuffer *gbuffer,
                             const tl_image *guide,
-                            const tl_sample *sample,
+                            tl_sample *sample,
                             facts *f,
                             tl_error *err)
 {

@@ -1,9 +1,8 @@
 /* Pixels of a frame at which pictures are held against the reference, and the reference there.
  *
  * Every tile is a stratum: some of its pixels are drawn, evenly and without putting back, more where the picture is
- * bright. Taken whole are the pixels at which the picture hangs on rounding (rims.h), and the tiles at most risk
- * beside them: those with the longest lists, the brightest, those with the greatest range of depths. A picture
- * that is small, or has few lights, is taken whole. */
+ * bright. Taken whole are the pixels at which float may be off by far more than elsewhere (rims.h), and the tiles at
+ * most risk beside them: those with the longest lists, the brightest, those with the greatest range of depths. A picture that is small, or has few lights, is taken whole. */
 #ifndef TL_PROMISE_SAMPLE_H
 #define TL_PROMISE_SAMPLE_H
 
@@ -25,17 +24,17 @@ typedef struct tl_sample {
     size_t count;           /* pixels that were drawn */
     tl_pixel_at *at;        /* [count], tile by tile */
     uint32_t *stratum;      /* [count] */
-    float (
-        *reference)[3]; /* [count], linear Rec. 709, as the picture of the reference has it */
-    double
-        pixel_cost; /* lights that a pixel is looked at with, in the mean, and what it costs besides as lights */
+    /* [count], linear Rec. 709, as the picture of the reference has it */
+    float (*reference)[3];
+    /* lights that a pixel is looked at with, in the mean, and as many as the rest of it costs */
+    double pixel_cost;
     double seconds; /* that finding, drawing and lighting it took */
 } tl_sample;
 
 typedef struct tl_sample_options {
     uint64_t seed;
-    double
-        pairs; /* of pixel and light that the reference may look at, about; more for pixels at rims */
+    /* of pixel and light that the reference may look at, about; more for pixels at rims */
+    double pairs;
     uint32_t rim_most; /* pixels at rims that are taken, at most */
 } tl_sample_options;
 

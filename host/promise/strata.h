@@ -8,7 +8,7 @@
 typedef struct tl_tile_facts {
     tl_rim_tile of;
     uint32_t pixel_count; /* without those at rims */
-    double brightest;     /* of its pixels, and the mean of the picture beside that */
+    double brightest; /* the brightest of its pixels, and the mean of the picture beside that */
 } tl_tile_facts;
 
 /* Lights that a pixel is looked at with, in the mean, and as many as the rest of it costs. */

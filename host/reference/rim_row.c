@@ -31,23 +31,26 @@ typedef struct surfaces {
 
 /* What of a frame has rims. */
 typedef struct rims {
-    int below_surface; /* the rim where n.l = 0 */
-    float margin2;
-    float eye2; /* m^2; 0 where positions are not in world space */
+    float margin2; /* of any */
+    float below2;  /* of the rim where n.l = 0; less than 0 where there is none */
+    float eye2;    /* m^2; 0 where positions are not in world space */
 } rims;
 
 static rims rims_of(const tl_prepared *prepared, const tl_layout *layout)
 {
     const tl_needs needs = prepared->needs;
-    rims r = {0, 0.0f, 0.0f};
+    rims r = {0.0f, -1.0f, 0.0f};
+    int is_steep = 0;
     for (tl_u32 model = 0; model < TL_MODEL_COUNT; model++) {
         const tl_u32 traits = needs.models >> model & 1u ? traits_of(model) : 0;
         const tl_u32 steep = (needs.specular ? (tl_u32)TL_LOBE_SPECULAR : 0) | TL_LOBE_EYE;
-        r.below_surface |= (traits & steep) && !(traits & TL_LOBE_COSINE);
+        is_steep |= (traits & steep) && !(traits & TL_LOBE_COSINE);
     }
     const float margin =
         (layout->normal.code == TL_NORMAL_SPHEREMAP ? 2048.0f : 128.0f) * 0x1p-24f;
     r.margin2 = margin * margin;
+    if (is_steep)
+        r.below2 = r.margin2;
     if (layout->depth.code == TL_DEPTH_WORLD_POSITION)
         for (int i = 0; i < 3; i++) {
             const float to = prepared->frame.view_from_world[i][3];
@@ -113,16 +116,18 @@ static box load_tile(const tl_prepared *prepared,
     return b;
 }
 
-/* from: 0 for a directional light, whose l is the same everywhere; else 1. */
-static void note_below(surfaces *s, tl_view_light light, float from, float most2, float margin2)
+/* from: 0 for a directional light, whose l is the same everywhere, and which is nowhere near; else 1. */
+static void note_light(surfaces *s, tl_view_light light, float from, float most2, float below2)
 {
     const float lx = light.position[0], ly = light.position[1], lz = light.position[2];
+    const float near2 = from / (float)(TL_NEARER * TL_NEARER);
     for (uint32_t i = 0; i < s->count; i++) {
         const float x = lx - from * s->x[i], y = ly - from * s->y[i], z = lz - from * s->z[i];
         const float d2 = x * x + y * y + z * z;
         const float facing = s->nx[i] * x + s->ny[i] * y + s->nz[i] * z;
-        const int is_near = d2 <= most2;
-        s->at_rim[i] |= is_near & (facing * facing <= margin2 * (d2 + from * s->away2[i]));
+        const int is_rim = facing * facing <= below2 * (d2 + from * s->away2[i]);
+        const int is_near = d2 < near2 * s->away2[i];
+        s->at_rim[i] |= (d2 <= most2) & (is_rim | is_near);
     }
 }
 
@@ -148,9 +153,8 @@ static uint32_t note_lights(const tl_prepared *prepared, box of, rims r, surface
             continue;
         count++;
         const float from = light.falloff == TL_FADE_NONE ? 0.0f : 1.0f;
-        if (r.below_surface)
-            note_below(s, light, from, is_global ? INFINITY : light.range2 * (1.0f + 0x1p-10f),
-                       r.margin2);
+        note_light(s, light, from, is_global ? INFINITY : light.range2 * (1.0f + 0x1p-10f),
+                   r.below2);
         if (!is_global && has_shape(light.falloff))
             note_end(s, light, r.margin2);
     }
@@ -195,8 +199,9 @@ void TL_TWIN(const tl_prepared *prepared,
              tl_rim_tile *tiles,
              uint8_t *at_rim)
 {
-    const uint32_t y = tile_row * TL_RIM_TILE;
+    const uint32_t y = tile_row * TL_RIM_TILE,
+                   tiles_x = (width + TL_RIM_TILE - 1) / TL_RIM_TILE;
     for (uint32_t x = 0; x < width; x += TL_RIM_TILE)
-        tiles[x / TL_RIM_TILE] = rim_tile(
+        tiles[tile_row * tiles_x + x / TL_RIM_TILE] = rim_tile(
             prepared, planes, (corner){x, y, cut(x, width), cut(y, height)}, width, at_rim);
 }

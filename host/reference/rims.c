@@ -28,10 +28,9 @@ typedef struct job {
 static void find_rows(void *context, size_t begin, size_t end)
 {
     const job *j = context;
-    const size_t tiles_x = (j->width + TL_RIM_TILE - 1) / TL_RIM_TILE;
     for (size_t row = begin; row < end; row++)
-        j->row(j->prepared, &j->planes, j->width, j->height, (uint32_t)row,
-               j->tiles + row * tiles_x, j->at_rim);
+        j->row(j->prepared, &j->planes, j->width, j->height, (uint32_t)row, j->tiles,
+               j->at_rim);
 }
 
 void tl_rims_find(const tl_prepared *prepared,
