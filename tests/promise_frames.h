@@ -1,5 +1,5 @@
-/* Frames that pictures are promised of, small enough to know all of them: the float twin of the kernels, and the
- * reference. */
+/* Frames that pictures are promised of, small enough to know all of them: the float twin of the kernels, and
+ * the reference. */
 #ifndef TL_PROMISE_FRAMES_H
 #define TL_PROMISE_FRAMES_H
 

@@ -1,5 +1,5 @@
-/* Does the command keep what --max-error, --max-flip and --max-time ask, say what it chose and found, remember it, and
- * refuse what cannot be? */
+/* Does the command keep what --max-error, --max-flip and --max-time ask, say what it chose and found,
+ * remember it, and refuse what cannot be? */
 #define _GNU_SOURCE
 #include "program.h"
 

@@ -8,8 +8,8 @@
 
 #include "tilelight/flip.h"
 
-/* Expectation 1 of 200 numbers that are 0 or c: so rare that samples miss them all. Counts trials whose bound, or
- * whose plain sum, is below the truth. */
+/* Expectation 1 of 200 numbers that are 0 or c: so rare that samples miss them all. Counts trials whose
+ * bound, or whose plain sum, is below the truth. */
 static void count_misses(double chance, double doubt, int *of_bound, int *of_sum)
 {
     enum { NUMBERS = 200, TRIALS = 20000 };
@@ -108,8 +108,8 @@ static void frames_of_the_bench(void **state)
     }
 }
 
-/* Errors that samples find hard: of every size down to nothing, the largest of them few, in no more than one pixel
- * of a hundred. */
+/* Errors that samples find hard: of every size down to nothing, the largest of them few, in no more than one
+ * pixel of a hundred. */
 static void plant(promise_frame *f, uint64_t seed, double largest)
 {
     for (uint32_t y = 0; y < f->picture->height; y++)

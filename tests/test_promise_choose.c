@@ -1,5 +1,5 @@
-/* Is the candidate chosen that keeps the goal at the least cost, and is what was found remembered, and nothing else
- * taken for it? */
+/* Is the candidate chosen that keeps the goal at the least cost, and is what was found remembered, and
+ * nothing else taken for it? */
 #define _GNU_SOURCE
 #include "promise_frames.h"
 
@@ -251,8 +251,8 @@ static void write_changed(const char *path,
     write_text(path, changed, (size_t)length);
 }
 
-/* Cut anywhere, of another version, of another kind, with words for numbers: it counts as missing, a sentence says
- * so, and it is replaced. */
+/* Cut anywhere, of another version, of another kind, with words for numbers: it counts as missing, a sentence
+ * says so, and it is replaced. */
 static void damage(void **state)
 {
     static const char *const changes[][3] = {
@@ -263,6 +263,7 @@ static void damage(void **state)
         {"\"ms\": 1.5", "\"ms\": -1.5", "damaged"},
         {"\"ms\": 1.5", "\"ms\": \"fast\"", "damaged"},
         {"\"ms\": 1.5", "\"mS\": 1.5", "damaged"},
+        {"\"--precision double\"", "\"--precision doublet\"", "another version"},
         {"\"candidates\": {", "\"candidate\": {", "damaged"},
     };
     static char text[16384];

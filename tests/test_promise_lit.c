@@ -1,5 +1,5 @@
-/* Does a picture keep what was asked of it, whatever was expected: is it checked, lit in the next way where it does not
- * hold, and is what was found expected from then on?
+/* Does a picture keep what was asked of it, whatever was expected: is it checked, lit in the next way where
+ * it does not hold, and is what was found expected from then on?
  *
  * What is expected is planted, so that no pilot is lit: that is for tests/test_command_promise.c. */
 #include "promise_frames.h"
@@ -101,8 +101,8 @@ static void the_fastest_that_holds(void **state)
     promised_frame_clear(&f);
 }
 
-/* It is expected to be far nearer than it is: the check sees that, the next one lights the frame, and the one after
- * that does not ask the first again. */
+/* It is expected to be far nearer than it is: the check sees that, the next one lights the frame, and the one
+ * after that does not ask the first again. */
 static void too_much_was_expected(void **state)
 {
     promised_frame f = frame_for(*state, TL_GOAL_RMS, 1e-5);

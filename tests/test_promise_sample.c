@@ -1,5 +1,5 @@
-/* Is a sample what it says it is: the reference's own bits, every pixel that hangs on rounding, whole tiles where
- * the risk is, some of every other? */
+/* Is a sample what it says it is: the reference's own bits, every pixel that hangs on rounding, whole tiles
+ * where the risk is, some of every other? */
 #include "promise_frames.h"
 
 #include "check_frames.h"
@@ -79,8 +79,8 @@ static void bits_in_every_layout(void **state)
     }
 }
 
-/* Lights in the planes of surfaces, so that n.l is 0 but for rounding: one for every pixel (x, y) with x + y even.
- * They are wide enough to reach others, too. */
+/* Lights in the planes of surfaces, so that n.l is 0 but for rounding: one for every pixel (x, y) with x + y
+ * even. They are wide enough to reach others, too. */
 static void add_lights_in_planes(const tl_gbuffer *g, tl_light_set *lights)
 {
     tl_prepared prepared = {0};
@@ -128,8 +128,8 @@ static tl_gbuffer *glossy_frame(void)
     return g;
 }
 
-/* Float decides otherwise than double in some of these pixels, and is then off by what a light adds. Each of them is
- * known to be at a rim, and few others are. */
+/* Float decides otherwise than double in some of these pixels, and is then off by what a light adds. Each of
+ * them is known to be at a rim, and few others are. */
 static void every_pixel_that_hangs_on_rounding(void **state)
 {
     (void)state;

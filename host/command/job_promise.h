@@ -5,8 +5,8 @@
 #include "goal.h"
 #include "job_light.h"
 
-/* From the job's G-buffer and lights to its image, which is there. Says what was chosen and found. *options becomes
- * what the picture was lit with; the caller destroys *lighting. */
+/* From the job's G-buffer and lights to its image, which is there. Says what was chosen and found. *options
+ * becomes what the picture was lit with; the caller destroys *lighting. */
 tl_status job_promise_light(job *j,
                             const tl_goal *goal,
                             tl_device *device,

@@ -22,8 +22,8 @@ void promise_check_together(const promise_choice *promise,
                             const picture_options *pictures,
                             struct argp_state *state);
 
-/* The goal, shown as pictures are written; look: what the capture asks for, or NULL. NULL where there is none;
- * *goal is written to. */
+/* The goal, shown as pictures are written; look: what the capture asks for, or NULL. NULL where there is
+ * none; *goal is written to. */
 const tl_goal *promise_goal(const promise_choice *promise,
                             const picture_options *pictures,
                             const tl_look *look,

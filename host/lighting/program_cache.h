@@ -31,11 +31,12 @@ typedef struct tl_program_entry {
  * TILELIGHT_CACHE is empty, there is no home, or memory ran out. The folder need not exist. */
 char *tl_program_cache_folder(void);
 
-/* Makes the folder, for its owner alone, and every one on the way. What fails shows when a file is written. */
+/* Makes the folder, for its owner alone, and every one on the way. What fails shows when a file is written.
+ * */
 void tl_program_cache_make_folder(const char *folder);
 
-/* What the names of other files end with that are kept beside the programs, of promises (host/promise/memory.h):
- * trimming counts and removes them alike. */
+/* What the names of other files end with that are kept beside the programs, of promises
+ * (host/promise/memory.h): trimming counts and removes them alike. */
 #define TL_PROMISE_SUFFIX ".promise.json"
 
 /* Whether there is a sound entry; *entry is then released with tl_program_entry_release, and is all

@@ -1,17 +1,18 @@
-/* Let X_i be independent, in [0, c], S their sum and M its expectation. For t > 0, e^(-tx) is convex, so on [0, c]
- * it is at most 1 - (x/c)(1 - e^(-tc)); so E e^(-tS) <= exp(-(M/c)(1 - e^(-tc))), and by Markov's inequality, for
- * s < M,
+/* Let X_i be independent, in [0, c], S their sum and M its expectation. For t > 0, e^(-tx) is convex, so on
+ * [0, c] it is at most 1 - (x/c)(1 - e^(-tc)); so E e^(-tS) <= exp(-(M/c)(1 - e^(-tc))), and by Markov's
+ * inequality, for s < M,
  *
  *     P(S <= s) <= min over t of exp(ts - (M/c)(1 - e^(-tc))) = exp(-(M - s - s ln(M/s)) / c),
  *
  * t = ln(M/s)/c: Chernoff's bound, in the form of Poisson's distribution. Drawing without putting back has no
- * larger E e^(-tS) (W. Hoeffding, "Probability inequalities for sums of bounded random variables", 1963, theorem
- * 4), so it holds there too. The M at which the right side is e^-doubt is the bound: the largest M that is not
- * refuted by what was seen.
+ * larger E e^(-tS) (W. Hoeffding, "Probability inequalities for sums of bounded random variables", 1963,
+ * theorem 4), so it holds there too. The M at which the right side is e^-doubt is the bound: the largest M
+ * that is not refuted by what was seen.
  *
- * Against the empirical Bernstein bound (A. Maurer and M. Pontil, "Empirical Bernstein bounds and sample variance
- * penalization", COLT 2009, theorem 4): that one has 7/3 c ln(2/delta) where nothing was seen, this one c
- * ln(1/delta), and needs no variance, whose estimate from a sample with one pixel a stratum does not exist. */
+ * Against the empirical Bernstein bound (A. Maurer and M. Pontil, "Empirical Bernstein bounds and sample
+ * variance penalization", COLT 2009, theorem 4): that one has 7/3 c ln(2/delta) where nothing was seen, this
+ * one c ln(1/delta), and needs no variance, whose estimate from a sample with one pixel a stratum does not
+ * exist. */
 #include "bound.h"
 
 #include <math.h>

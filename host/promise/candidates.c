@@ -3,6 +3,7 @@
 #include "falloff.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #define BY(power, root, arithmetic)                                                           \
     {                                                                                         \
@@ -11,8 +12,8 @@
         }                                                                                     \
     }
 
-/* As written, and three steps of giving accuracy away; what devices do best themselves, which bounds nobody states,
- * and checks do not ask for any. */
+/* As written, and four steps of giving accuracy away; what GPUs have instructions for, whose bounds nobody
+ * states, and checks do not ask for any. CPUs have none, and their libraries take longer than we do. */
 #define EXACT BY(TL_POWER_POLYNOMIAL, TL_ROOT_EXACT, TL_ARITHMETIC_STRICT)
 #define RELAXED BY(TL_POWER_POLYNOMIAL, TL_ROOT_EXACT, TL_ARITHMETIC_RELAXED)
 #define CLOSE BY(TL_POWER_DEGREE_5, TL_ROOT_EXACT, TL_ARITHMETIC_RELAXED)
@@ -20,8 +21,8 @@
 #define ROUGHEST BY(TL_POWER_DEGREE_2, TL_ROOT_NEWTON_1, TL_ARITHMETIC_RELAXED)
 #define NATIVE BY(TL_POWER_NATIVE, TL_ROOT_NATIVE, TL_ARITHMETIC_RELAXED)
 
-/* Every row is compiled by a pilot, so there are few. Not double with a cut-off or an approximation: what these
- * leave out is far above the rounding of float, so that would be slower and no closer. */
+/* Every row is compiled by a pilot, so there are few. Not double with a cut-off or an approximation: what
+ * these leave out is far above the rounding of float, so that would be slower and no closer. */
 const tl_candidate tl_candidates[] = {
     {TL_PRECISION_FLOAT, 0.0f, EXACT},    {TL_PRECISION_FLOAT, 0.0f, RELAXED},
     {TL_PRECISION_FLOAT, 0.0f, CLOSE},    {TL_PRECISION_FLOAT, 0.0f, ROUGH},
@@ -98,6 +99,9 @@ int tl_candidate_suits(uint32_t candidate,
 {
     const tl_candidate *c = &tl_candidates[candidate];
     if (c->precision == TL_PRECISION_DOUBLE && !device->has_double)
+        return 0;
+    if (c->approximations.of[TL_KNOB_POWER] == TL_POWER_NATIVE &&
+        strcmp(device->kind, "gpu") != 0)
         return 0;
     if (c->approximations.of[TL_KNOB_POWER] != 0 && !has_powers(prepared))
         return 0;

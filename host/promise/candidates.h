@@ -1,5 +1,5 @@
-/* The configurations that a promise chooses among: everything that changes the picture, and nothing that does not.
- * The layout is the capture's own. */
+/* The configurations that a promise chooses among: everything that changes the picture, and nothing that does
+ * not. The layout is the capture's own. */
 #ifndef TL_PROMISE_CANDIDATES_H
 #define TL_PROMISE_CANDIDATES_H
 
@@ -15,8 +15,8 @@ typedef struct tl_candidate {
 
 enum { TL_MOST_CANDIDATES = 32 };
 
-/* [tl_candidate_count]. The first is the one that pictures are first judged by; the last is the reference, which
- * all are held against. */
+/* [tl_candidate_count]. The first is the one that pictures are first judged by; the last is the reference,
+ * which all are held against. */
 extern const tl_candidate tl_candidates[];
 extern const uint32_t tl_candidate_count;
 

@@ -1,6 +1,6 @@
-/* By deviation.c the reference lies between a - peak (a + mean) and a + peak (a + mean) in every pixel outside
- * the sample, and codes rise with radiance; so codes of these two pictures enclose those of the reference. In the
- * sample they are its own. Means of pixels lie between means of both. */
+/* By deviation.c the reference lies between a - peak (a + mean) and a + peak (a + mean) in every pixel
+ * outside the sample, and codes rise with radiance; so codes of these two pictures enclose those of the
+ * reference. In the sample they are its own. Means of pixels lie between means of both. */
 #include "codes.h"
 
 #include "brightness.h"

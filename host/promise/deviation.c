@@ -1,22 +1,22 @@
-/* The squares of what the channels of a picture a are off from the reference b, e_p = sum_c (a - b)^2, are summed
- * over the picture. Strata that were taken whole give their part exactly. Of a stratum of N pixels of which n were
- * drawn, each stands for N/n, so the expectation of
+/* The squares of what the channels of a picture a are off from the reference b, e_p = sum_c (a - b)^2, are
+ * summed over the picture. Strata that were taken whole give their part exactly. Of a stratum of N pixels of
+ * which n were drawn, each stands for N/n, so the expectation of
  *
  *     S = sum over drawn p of (N/n) e_p
  *
- * is the sum over all pixels of these strata, and bound.c bounds it from S and from the largest number that a pixel
- * may add to it. That number is where something is assumed, for no sample tells it: a pixel that was not drawn is
- * taken to be off by no more than `unseen` times as much as the worst that was drawn, in proportion to the light that
- * it has and that the picture has in the mean:
+ * is the sum over all pixels of these strata, and bound.c bounds it from S and from the largest number that a
+ * pixel may add to it. That number is where something is assumed, for no sample tells it: a pixel that was
+ * not drawn is taken to be off by no more than `unseen` times as much as the worst that was drawn, in
+ * proportion to the light that it has and that the picture has in the mean:
  *
  *     |a - b| <= peak (|a| + mean),  peak = unseen max over drawn p of |a - b| / (|a| + mean).
  *
- * What makes it a fair one: pixels that may be off by far more than others are found by looking at all of them
- * (rims.h) and are not drawn but taken; what is left are multiples of rounding or of what an
+ * What makes it a fair one: pixels that may be off by far more than others are found by looking at all of
+ * them (rims.h) and are not drawn but taken; what is left are multiples of rounding or of what an
  * approximation is off by, times the light that the pixel has, and tiles where that is most are taken whole.
  *
- * mean is that of the picture. That of the reference is no less than mean - rms, for the mean of differences is no
- * more than the root of the mean of their squares. */
+ * mean is that of the picture. That of the reference is no less than mean - rms, for the mean of differences
+ * is no more than the root of the mean of their squares. */
 #include "deviation.h"
 
 #include "bound.h"

@@ -21,8 +21,8 @@ tl_status tl_deviation_find(const tl_sample *sample,
                             tl_deviation *out,
                             tl_error *err);
 
-/* RMS of the picture over the mean of the reference: as seen on the sample, and an upper bound that holds but for
- * a chance of exp(-doubt). Cannot fail. */
+/* RMS of the picture over the mean of the reference: as seen on the sample, and an upper bound that holds but
+ * for a chance of exp(-doubt). Cannot fail. */
 typedef struct tl_estimate {
     double seen, bound;
 } tl_estimate;

@@ -4,8 +4,8 @@
 
 #include "tilelight/image.h"
 
-/* X(name, word, what is measured, margin): what a candidate is expected to have must be within the limit this many
- * times over, for frames of a kind differ */
+/* X(name, word, what is measured, margin): what a candidate is expected to have must be within the limit this
+ * many times over, for frames of a kind differ */
 #define TL_GOALS(X)                                                                      \
     X(TL_GOAL_RMS, "rms", "RMS error, of the mean radiance", 1.5)                        \
     X(TL_GOAL_CODES, "8bit", "codes that any channel is off by after the tone curve", 1) \

@@ -25,8 +25,8 @@ void tl_yardstick_clear(tl_yardstick *of);
 /* How many pixels the reference was lit at, or samples of them, windows' surroundings included. */
 uint64_t tl_yardstick_pixels(const tl_yardstick *of);
 
-/* doubt: of the bound (bound.h). image: of the frame's size. RMS for goals that have no error of their own. Fails
- * with TL_ERR_MEMORY. */
+/* doubt: of the bound (bound.h). image: of the frame's size. RMS for goals that have no error of their own.
+ * Fails with TL_ERR_MEMORY. */
 tl_status tl_measure(const tl_goal *goal,
                      const tl_yardstick *by,
                      const tl_image *image,

@@ -101,12 +101,13 @@ static const char *take(const json_t *root, const json_t *kind, tl_expectation *
     for (uint32_t i = 0; i < tl_candidate_count; i++) {
         tl_candidate_name(i, name, sizeof name);
         const json_t *of = json_object_get(written, name);
-        candidates[i] = (tl_expectation){(double)INFINITY, (double)INFINITY};
-        if (of && (!number_of(json_object_get(of, "ms"), &candidates[i].ms) ||
-                   !number_of(json_object_get(of, "error"), &candidates[i].error)))
+        if (json_is_object(written) && !of)
+            return "another version of tilelight wrote it";
+        if (!number_of(json_object_get(of, "ms"), &candidates[i].ms) ||
+            !number_of(json_object_get(of, "error"), &candidates[i].error))
             return "it is damaged";
     }
-    return json_is_object(written) ? NULL : "it is damaged";
+    return NULL;
 }
 
 int tl_memory_read(const char *folder,

@@ -82,7 +82,8 @@ static int by_value(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* times: [TL_MOST_CANDIDATES][ROUNDS]. The first frame compiles, warms up, and is held against the reference. */
+/* times: [TL_MOST_CANDIDATES][ROUNDS]. The first frame compiles, warms up, and is held against the reference.
+ * */
 static tl_status first_frames(const tl_asked *asked,
                               const int *suits,
                               tl_image *image,

@@ -1,4 +1,5 @@
-/* The first frame of a kind: every candidate lights it, and what comes of that is what is expected of the next. */
+/* The first frame of a kind: every candidate lights it, and what comes of that is what is expected of the
+ * next. */
 #ifndef TL_PROMISE_PILOT_H
 #define TL_PROMISE_PILOT_H
 
@@ -17,8 +18,8 @@ typedef struct tl_asked {
         const char *what); /* is told what is being done, and NULL at the end; may be NULL */
 } tl_asked;
 
-/* Lights the frame by one candidate: *image, of its size, becomes the picture, *ms (may be NULL) what lighting took
- * without compiling kernels. The caller destroys *lighting. Fails as tl_lighting_run does. */
+/* Lights the frame by one candidate: *image, of its size, becomes the picture, *ms (may be NULL) what
+ * lighting took without compiling kernels. The caller destroys *lighting. Fails as tl_lighting_run does. */
 tl_status tl_light_by(const tl_asked *asked,
                       uint32_t candidate,
                       tl_image *image,
@@ -29,9 +30,9 @@ tl_status tl_light_by(const tl_asked *asked,
                       tl_lighting **lighting,
                       tl_error *err);
 
-/* candidates: [tl_candidate_count], becomes what each took, the median of several times by turns, and was off by at
- * most; INFINITY for those that do not suit, and the time of the reference. *by becomes what they were held
- * against; the caller clears it. Fails as tl_lighting_run and tl_prepare do. */
+/* candidates: [tl_candidate_count], becomes what each took, the median of several times by turns, and was off
+ * by at most; INFINITY for those that do not suit, and the time of the reference. *by becomes what they were
+ * held against; the caller clears it. Fails as tl_lighting_run and tl_prepare do. */
 tl_status tl_pilot(const tl_asked *asked,
                    const tl_prepared *prepared,
                    tl_yardstick *by,

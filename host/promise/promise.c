@@ -64,7 +64,8 @@ done:
     return status;
 }
 
-/* One picture, and whether it keeps the goal; what is expected from now on is what was found, where that is worse. */
+/* One picture, and whether it keeps the goal; what is expected from now on is what was found, where that is
+ * worse. */
 static tl_status attempt(way *w,
                          tl_image *image,
                          tl_timings *timings,

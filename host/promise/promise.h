@@ -1,8 +1,9 @@
 /* Lighting that keeps what is asked of it: an error that is checked, or a time.
  *
- * What candidates are expected to come to is remembered from frames of the same kind, or found by a pilot. The one
- * that is chosen lights the frame; the picture that is handed over is itself held against the reference, on a
- * sample, and where it does not keep the goal the next candidate lights the frame, in the end the reference. */
+ * What candidates are expected to come to is remembered from frames of the same kind, or found by a pilot.
+ * The one that is chosen lights the frame; the picture that is handed over is itself held against the
+ * reference, on a sample, and where it does not keep the goal the next candidate lights the frame, in the end
+ * the reference. */
 #ifndef TL_PROMISE_H
 #define TL_PROMISE_H
 
@@ -26,9 +27,9 @@ typedef struct tl_kept {
     uint64_t checked, of; /* pixels (samples) that the reference was lit at, of how many */
 } tl_kept;
 
-/* *image, of the frame's size, becomes the picture.
- * memory: the folder (memory.h); NULL: nothing is remembered. *lighting is that of the picture, which the caller
- * destroys. timings, notices, counts may be NULL. Fails as tl_lighting_run and tl_prepare do. */
+/* *image, of the frame's size, becomes the picture. memory: the folder (memory.h); NULL: nothing is
+ * remembered. *lighting is that of the picture, which the caller destroys. timings, notices, counts may be
+ * NULL. Fails as tl_lighting_run and tl_prepare do. */
 tl_status tl_promise_light(const tl_asked *asked,
                            const char *memory,
                            tl_image *image,

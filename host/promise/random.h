@@ -4,8 +4,8 @@
 
 #include <stdint.h>
 
-/* The next of 2^64 numbers. G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators", OOPSLA
- * 2014, figure 2: SplitMix64. */
+/* The next of 2^64 numbers. G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators",
+ * OOPSLA 2014, figure 2: SplitMix64. */
 static inline uint64_t tl_random(uint64_t *state)
 {
     uint64_t z = *state += 0x9e3779b97f4a7c15u;

@@ -46,9 +46,9 @@ static void put(tl_sample *to, uint32_t x, uint32_t y, uint32_t stratum)
     to->stratum[to->count++] = stratum;
 }
 
-/* Of those at rims each is taken with the chance that leaves all subsets as likely: D. Knuth, "The Art of Computer
- * Programming", volume 2, section 3.4.2, algorithm S. Returns how many of the tile are not at rims: their places
- * in `plain`. */
+/* Of those at rims each is taken with the chance that leaves all subsets as likely: D. Knuth, "The Art of
+ * Computer Programming", volume 2, section 3.4.2, algorithm S. Returns how many of the tile are not at rims:
+ * their places in `plain`. */
 static uint32_t part_rims(source *from, tl_sample *to, uint32_t x0, uint32_t y0, uint8_t *plain)
 {
     uint32_t count = 0;

@@ -1,8 +1,9 @@
 /* Pixels of a frame at which pictures are held against the reference, and the reference there.
  *
- * Every tile is a stratum: some of its pixels are drawn, evenly and without putting back, more where the picture is
- * bright. Taken whole are the pixels at which float may be off by far more than elsewhere (rims.h), and the tiles at
- * most risk beside them: those with the longest lists, the brightest, those with the greatest range of depths. A picture that is small, or has few lights, is taken whole. */
+ * Every tile is a stratum: some of its pixels are drawn, evenly and without putting back, more where the
+ * picture is bright. Taken whole are the pixels at which float may be off by far more than elsewhere
+ * (rims.h), and the tiles at most risk beside them: those with the longest lists, the brightest, those with
+ * the greatest range of depths. A picture that is small, or has few lights, is taken whole. */
 #ifndef TL_PROMISE_SAMPLE_H
 #define TL_PROMISE_SAMPLE_H
 
@@ -41,8 +42,9 @@ typedef struct tl_sample_options {
 /* So many pairs that they take about a tenth of a second on two processors. */
 tl_sample_options tl_sample_options_default(void);
 
-/* Draws a sample for pictures of this frame. guide: one of them, of the frame's size, whose brightness decides
- * where more pixels are drawn. The caller releases *out with tl_sample_destroy. Fails as tl_prepare does. */
+/* Draws a sample for pictures of this frame. guide: one of them, of the frame's size, whose brightness
+ * decides where more pixels are drawn. The caller releases *out with tl_sample_destroy. Fails as tl_prepare
+ * does. */
 tl_status tl_sample_draw(const tl_gbuffer *gbuffer,
                          const tl_light_set *lights,
                          const tl_image *guide,

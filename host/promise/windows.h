@@ -1,5 +1,5 @@
-/* Parts of a frame that the eye takes in at once, lit by the reference: what FLIP of a picture is estimated on. FLIP
- * of a pixel depends on those around it, so single pixels say nothing. */
+/* Parts of a frame that the eye takes in at once, lit by the reference: what FLIP of a picture is estimated
+ * on. FLIP of a pixel depends on those around it, so single pixels say nothing. */
 #ifndef TL_PROMISE_WINDOWS_H
 #define TL_PROMISE_WINDOWS_H
 
@@ -20,8 +20,8 @@ typedef struct tl_windows {
     double seconds; /* that drawing and lighting them took */
 } tl_windows;
 
-/* pixels: that the reference may light, about; the whole picture is one window where it has no more. The caller releases *out with
- * tl_windows_destroy. Fails as tl_prepare does. */
+/* pixels: that the reference may light, about; the whole picture is one window where it has no more. The
+ * caller releases *out with tl_windows_destroy. Fails as tl_prepare does. */
 tl_status tl_windows_draw(const tl_gbuffer *gbuffer,
                           const tl_light_set *lights,
                           double pixels,
@@ -32,9 +32,9 @@ tl_status tl_windows_draw(const tl_gbuffer *gbuffer,
 /* Accepts NULL. */
 void tl_windows_destroy(tl_windows *windows);
 
-/* Mean FLIP of the picture's codes against those of the reference: as seen in windows, and an upper bound that
- * holds but for a chance of exp(-doubt), if no part of the picture is more than four times as far off as the worst
- * that was seen. image: of the frame's size. Fails with TL_ERR_MEMORY. */
+/* Mean FLIP of the picture's codes against those of the reference: as seen in windows, and an upper bound
+ * that holds but for a chance of exp(-doubt), if no part of the picture is more than four times as far off as
+ * the worst that was seen. image: of the frame's size. Fails with TL_ERR_MEMORY. */
 tl_status tl_windows_flip(const tl_windows *windows,
                           const tl_goal *goal,
                           const tl_image *image,

@@ -1,12 +1,12 @@
 /* How near to a rim rounding may decide, in float.
  *
- * u = 2^-24. Of the kernels, float against double: n turns by 3u sum |r_i w_i|, sqrt(3) 3u at most, and u, and is
- * of length 1 to within 4.5u; with an octahedron by 16.3u more, with a spheremap by 329.2u (docs/accuracy.md). p
- * moves by 5u |p| and 2u |p| along the ray; a position that is stored in world space by 4u of the distance between
- * the world's origin and the eye, and of its own. l rounds by u |l|, and n.l by 3u |l|. So n.l is off by no more
- * than (11 + 17) u |l| + 8u |p| + 4u |eye|, with a spheremap (11 + 330) u |l| + ..., which by Cauchy's inequality
- * is less than 30u, 342u, of sqrt(|l|^2 + |p|^2 + |eye|^2). What is looked at here is off as much again. The
- * margins below are twice that, to the next power of two.
+ * u = 2^-24. Of the kernels, float against double: n turns by 3u sum |r_i w_i|, sqrt(3) 3u at most, and u,
+ * and is of length 1 to within 4.5u; with an octahedron by 16.3u more, with a spheremap by 329.2u
+ * (docs/accuracy.md). p moves by 5u |p| and 2u |p| along the ray; a position that is stored in world space by
+ * 4u of the distance between the world's origin and the eye, and of its own. l rounds by u |l|, and n.l by 3u
+ * |l|. So n.l is off by no more than (11 + 17) u |l| + 8u |p| + 4u |eye|, with a spheremap (11 + 330) u |l| +
+ * ..., which by Cauchy's inequality is less than 30u, 342u, of sqrt(|l|^2 + |p|^2 + |eye|^2). What is looked
+ * at here is off as much again. The margins below are twice that, to the next power of two.
  *
  * d^2 is off by 2 |l| times what l is off by, and 3u of itself: the same margin, of 2 |l| sqrt(...).
  *
@@ -87,6 +87,26 @@ typedef struct corner {
     uint32_t x, y, width, height; /* px, of the part of the tile that is in the picture */
 } corner;
 
+/* The words of an attribute, bits 1 << word. */
+static uint32_t words_of(const tl_attribute *a)
+{
+    uint32_t words = 0;
+    for (int i = 0; i < 3; i++)
+        words |= 1u << a->channels[i].word;
+    return words;
+}
+
+/* Of a pixel, where its surface is and how it is turned; the rest is left 0. */
+static tl_words some_words_at(const tl_word_planes *planes, uint32_t wanted, size_t at)
+{
+    tl_words words = {{0}};
+    for (uint32_t rest = wanted; rest; rest &= rest - 1) {
+        const uint32_t word = (uint32_t)__builtin_ctz(rest);
+        words.of[word] = tl_word_at(planes, word, at);
+    }
+    return words;
+}
+
 /* Surfaces without a normal are in the box, and at no rim: no light reaches them. */
 static box load_tile(const tl_prepared *prepared,
                      const tl_word_planes *planes,
@@ -96,11 +116,14 @@ static box load_tile(const tl_prepared *prepared,
 {
     const tl_frame *frame = &prepared->frame;
     box b = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    const uint32_t wanted =
+        words_of(&planes->layout->depth) | words_of(&planes->layout->normal);
     out->count = 0;
     for (uint32_t y = 0; y < at.height; y++)
         for (uint32_t x = 0; x < at.width; x++) {
             const uint32_t column = at.x + x, row = at.y + y;
-            const tl_words words = tl_words_at(planes, (size_t)row * frame->pitch + column);
+            const tl_words words =
+                some_words_at(planes, wanted, (size_t)row * frame->pitch + column);
             const vec3 p = position_of(frame, prepared->needs, planes->layout, &words,
                                        (float)column, (float)row);
             if (!(-p.z < INFINITY))

@@ -23,8 +23,8 @@ void tl_reference_some(const tl_prepared *prepared,
                        const tl_pixel_groups *pixels,
                        float (*radiance)[3]);
 
-/* What one group is lit by, compiled once per instruction set. reaching: [lights of the frame], is written; NULL:
- * no light is left out. */
+/* What one group is lit by, compiled once per instruction set. reaching: [lights of the frame], is written;
+ * NULL: no light is left out. */
 typedef void tl_some_twin(const tl_prepared *prepared,
                           const tl_word_planes *planes,
                           const tl_pixel_at *at,
