@@ -20,7 +20,7 @@ static tl_study_record record_of(const double blocks[BLOCKS])
 {
     const tl_study_config config = tl_study_config_default();
     tl_study_record record = tl_study_record_empty(&config, 1.0);
-    record.times[TL_TIME_LIGHT_RATIO] = tl_study_time_of(blocks, BLOCKS);
+    record.times[TL_TIME_LIGHT_RATIO] = tl_study_time_of(blocks, BLOCKS, BLOCKS);
     return record;
 }
 
@@ -51,7 +51,7 @@ static void intervals_hold_as_often_as_they_say(void **state)
                 second[seconds++] = rank;
         }
         tl_study_record record = record_of(first);
-        note_again(&record, tl_study_time_of(second, BLOCKS).median);
+        note_again(&record, tl_study_time_of(second, BLOCKS, BLOCKS).median);
         const tl_interval known = tl_summarize(first, BLOCKS).interval;
         ways++;
         outside += tl_study_stays(&record) == 0;
@@ -80,7 +80,7 @@ static void drift_is_rare_by_chance(void **state)
                 blocks[mask >> i & 1 ? before++ : behind++] = i < middle ? i : i + 1;
             blocks[BLOCKS / 2] = middle;
             ways++;
-            unstable += (unsigned)tl_study_time_of(blocks, BLOCKS).is_unstable;
+            unstable += (unsigned)tl_study_time_of(blocks, BLOCKS, BLOCKS).is_unstable;
         }
     assert_int_equal(ways, BLOCKS * 252);
     assert_int_equal(unstable, BLOCKS * 2);
@@ -92,10 +92,22 @@ static const double some_blocks[BLOCKS] = {1.9, 2.4, 2.0, 2.2, 2.1, 1.8,
 
 static void blocks_make_a_time(void **state)
 {
-    const tl_study_time t = tl_study_time_of(some_blocks, 33);
+    const tl_study_time t = tl_study_time_of(some_blocks, BLOCKS, 33);
     (void)state;
     assert_true(t.median == 2.1 && t.low == 1.6 && t.high == 2.6 && t.samples == 33);
     assert_false(t.is_unstable);
+}
+
+/* A study that is not done states what it has, and does not say yet what drifts. */
+static void some_blocks_make_a_time(void **state)
+{
+    static const double falling[BLOCKS] = {3.0, 2.0, 1.0, 0.5, 0.25}; /* and zeros */
+    const tl_study_time one = tl_study_time_of(falling, 1, 2),
+                        four = tl_study_time_of(falling, 4, 8);
+    (void)state;
+    assert_true(one.median == 3.0 && one.low == 3.0 && one.high == 3.0 && one.samples == 2);
+    assert_true(four.median == 1.5 && four.low == 0.5 && four.high == 3.0);
+    assert_false(one.is_unstable || four.is_unstable);
 }
 
 static void second_runs_are_judged(void **state)
@@ -121,7 +133,7 @@ static void jobs_are_judged_where_lighting_is_known(void **state)
     tl_study_record record = record_of(some_blocks);
     (void)state;
     record.times[TL_TIME_LIGHT_RATIO] = tl_study_time_known(1.0);
-    record.times[TL_TIME_JOB_RATIO] = tl_study_time_of(some_blocks, BLOCKS);
+    record.times[TL_TIME_JOB_RATIO] = tl_study_time_of(some_blocks, BLOCKS, BLOCKS);
     assert_int_equal(tl_study_judged(&record), TL_TIME_JOB_RATIO);
     note_again(&record, 2.7);
     assert_int_equal(tl_study_stays(&record), 0);
@@ -147,6 +159,7 @@ int main(void)
         cmocka_unit_test(intervals_hold_as_often_as_they_say),
         cmocka_unit_test(drift_is_rare_by_chance),
         cmocka_unit_test(blocks_make_a_time),
+        cmocka_unit_test(some_blocks_make_a_time),
         cmocka_unit_test(second_runs_are_judged),
         cmocka_unit_test(jobs_are_judged_where_lighting_is_known),
         cmocka_unit_test(drift_stays_marked),

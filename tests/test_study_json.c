@@ -25,6 +25,11 @@ static tl_study_record random_record(uint32_t *seed, const char *layout)
         if (*seed >> 30)
             r.values[i] = ldexp(*seed, (int)(*seed >> 24) - 128);
     }
+    r.lit = (tl_study_blocks){.count = (int)(*seed >> 24) % (TL_STUDY_BLOCK_COUNT + 1),
+                              .samples = *seed >> 20};
+    for (int i = 0; i < TL_STUDY_LIT_COUNT; i++)
+        for (int k = 0; k < r.lit.count; k++)
+            r.lit.medians[i][k] = *seed * 1e-4 + 10 * i + k;
     if (*seed >> 31)
         tl_study_note_again(&r, r.times);
     snprintf(r.worst_cause, sizeof r.worst_cause, "storage");
@@ -97,6 +102,11 @@ static void assert_same_record(const tl_study_record *a, const tl_study_record *
     for (int i = 0; i < TL_STUDY_VALUE_COUNT; i++)
         if (!is_near(a->values[i], b->values[i]))
             fail_msg("%s: %g is %g", tl_study_value_rows[i].name, a->values[i], b->values[i]);
+    assert_int_equal(a->lit.count, b->lit.count);
+    assert_int_equal(a->lit.samples, b->lit.samples);
+    for (int i = 0; i < TL_STUDY_LIT_COUNT; i++)
+        for (int k = 0; k < a->lit.count; k++)
+            assert_true(is_near(a->lit.medians[i][k], b->lit.medians[i][k]));
     assert_true(is_near(a->again.median, b->again.median));
     assert_int_equal(tl_study_stays(a), tl_study_stays(b));
     assert_string_equal(a->worst_cause, b->worst_cause);

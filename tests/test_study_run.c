@@ -200,24 +200,44 @@ static void cutoffs_are_approximations(void **state)
     tl_study_frame_clear(&frame);
 }
 
-static int stop_at_second(void *context)
+/* Counts down. */
+static int stop_at(void *context)
 {
     int *calls = context;
-    return ++*calls == 2;
+    return --*calls == 0;
 }
 
-static void count_begun(
-    void *context, const char *frame, size_t index, size_t count, const tl_study_config *config)
+static void check_step(void *context, const tl_study_step *step)
 {
-    (void)context, (void)frame, (void)count, (void)config;
-    assert_true(index < count);
+    (void)context;
+    assert_true(step->index < step->count);
+    assert_true(step->round >= 0 && step->round < TL_STUDY_BLOCK_COUNT);
 }
 
-/* Ended after two of five, gone on from the file; then nothing is left, until something else is asked. */
+static void check_blocks(const tl_study *study, int of_lit, int after)
+{
+    for (size_t i = 0; i < study->results[0].count; i++) {
+        const tl_study_record *r = &study->results[0].records[i];
+        const int is_known =
+            r->config.output == TL_STUDY_HALF && tl_study_config_is_usual(&r->config, 0);
+        const int expected = is_known ? 0 : i < (size_t)after ? of_lit : of_lit - 1;
+        char title[1024];
+        tl_study_config_title(&r->config, title, sizeof title);
+        if (r->lit.count != expected)
+            fail_msg("%s has %d blocks, not %d", title, r->lit.count, expected);
+        if (!is_known && (r->times[TL_TIME_LIGHT_RATIO].samples < 2 * (size_t)expected ||
+                          r->times[TL_TIME_LIGHT_RATIO].samples != r->lit.samples))
+            fail_msg("%s has %zu samples", title, r->lit.samples);
+        assert_true(r->times[TL_TIME_JOB].median > 0.0);
+    }
+}
+
+/* Ended after two of five, gone on from the file, ended in the third round, gone on; then nothing is left,
+ * until something else is asked. */
 static void studies_go_on_where_they_ended(void **state)
 {
     tl_study_frame frame = make_frame("spheres", 16);
-    tl_study study = new_study(), again = new_study();
+    tl_study study = new_study(), between = new_study(), again = new_study();
     tl_study_plan plan = {0};
     tl_study_options options = fast(*state);
     int calls = 0, was_stopped = 0;
@@ -226,15 +246,24 @@ static void studies_go_on_where_they_ended(void **state)
     snprintf(path, sizeof path, "%s/study.json", options.folder);
     unlink(path);
     add(&plan, "float,float-forward", NULL, NULL, NULL, "float,half");
-    options.watch = (tl_study_watch){count_begun, stop_at_second, &calls};
+    options.watch = (tl_study_watch){check_step, stop_at, &calls};
+    calls = 2;
     assert_int_equal(run(&study, &frame, &plan, &options, &was_stopped), 2);
     assert_true(was_stopped);
+    check_blocks(&study, 1, 2);
+
+    calls = 3 + 5 + 2; /* the first two have been in the first round */
+    ASSERT_OK(tl_study_resume(&between, options.folder, &err), err);
+    assert_int_equal(run(&between, &frame, &plan, &options, &was_stopped), 5);
+    assert_true(was_stopped);
+    check_blocks(&between, 3, 2);
 
     options.watch = (tl_study_watch){0};
     ASSERT_OK(tl_study_resume(&again, options.folder, &err), err);
-    assert_int_equal(again.results[0].count, 2);
-    assert_int_equal(run(&again, &frame, &plan, &options, &was_stopped), 3);
+    assert_int_equal(again.results[0].count, 5);
+    assert_int_equal(run(&again, &frame, &plan, &options, &was_stopped), 5);
     assert_false(was_stopped);
+    check_blocks(&again, TL_STUDY_BLOCK_COUNT, 5);
     assert_int_equal(again.results[0].count, 5);
     assert_int_equal(run(&again, &frame, &plan, &options, NULL), 0);
 
@@ -246,6 +275,7 @@ static void studies_go_on_where_they_ended(void **state)
     assert_int_equal(again.count, 1);
     tl_study_plan_clear(&plan);
     tl_study_clear(&study);
+    tl_study_clear(&between);
     tl_study_clear(&again);
     tl_study_frame_clear(&frame);
 }

@@ -39,7 +39,8 @@ static tl_status compare(const tl_claim_options *options,
         TRY(tl_frame_ratio_measure(options->device, sides, &rule, &took, err));
         blocks[i] = 100.0 * (took.ratio.median - 1.0);
     }
-    const tl_study_time time = tl_study_time_of(blocks, TL_STUDY_BLOCK_COUNT);
+    const tl_study_time time =
+        tl_study_time_of(blocks, TL_STUDY_BLOCK_COUNT, TL_STUDY_BLOCK_COUNT);
     out->ours = time.median;
     out->low = time.low;
     out->high = time.high;

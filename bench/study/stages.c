@@ -1,6 +1,6 @@
 #include "stages.h"
 
-#include "try.h"
+#include <math.h>
 
 /* Lighting that is the default's by definition, and was measured for that. */
 static void take_lighting(tl_study_record *record, const tl_study_record *usual)
@@ -44,27 +44,15 @@ static void sum_job(tl_study_record *record, const tl_study_record *usual)
     record->times[TL_TIME_JOB_RATIO] = ratio;
 }
 
-tl_status tl_study_stages_take(tl_study_pictures *pictures,
-                               tl_study_file_times *files,
-                               const char *folder,
-                               double seconds,
-                               const tl_study_record *usual,
-                               tl_study_record *record,
-                               tl_error *err)
+int tl_study_lighting_is_known(const tl_study_config *config)
 {
-    const tl_sampling_rule rule = {.least_samples = 2,
-                                   .seconds = seconds / TL_STUDY_BLOCK_COUNT};
-    const tl_study_config default_one = tl_study_config_default();
-    const int is_default = tl_study_config_is_same(&record->config, &default_one);
-    tl_status status = TL_OK;
-    if (usual && !is_default && tl_study_config_is_usual(&record->config, 0))
+    return tl_study_config_is_usual(config, 0) && !tl_study_config_is_usual(config, 1);
+}
+
+void tl_study_stages_sum(tl_study_record *record, const tl_study_record *usual)
+{
+    if (tl_study_lighting_is_known(&record->config))
         take_lighting(record, usual);
-    else
-        TRY(tl_study_time_lighting(pictures, &rule, record, err));
-    if (folder) {
-        TRY(tl_study_time_files(files, pictures, folder, &rule, record, err));
-        sum_job(record, usual ? usual : record);
-    }
-done:
-    return status;
+    if (!isnan(record->times[TL_TIME_READ].median))
+        sum_job(record, usual);
 }

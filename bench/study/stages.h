@@ -1,19 +1,16 @@
-/* The times of a configuration, stage by stage, and of the job that they make up. */
+/* The times of a configuration that follow from others: of lighting that is the default's, and of the job
+ * that the stages make up. */
 #ifndef TL_STUDY_STAGES_H
 #define TL_STUDY_STAGES_H
 
-#include "file_times.h"
+#include "values.h"
 
-/* Fills in all times of `record`, and bytes. usual: the default configuration's record, whose medians weigh the
- * stages of a job; where its lighting is this one's by definition, its times are. NULL or record itself: it is
- * the default's that is measured. folder: for files that are timed; NULL: none are, and no job. seconds: that
- * lighting is sampled, and each kind of file. Fails as tl_study_time_lighting and tl_study_time_files do. */
-tl_status tl_study_stages_take(tl_study_pictures *pictures,
-                               tl_study_file_times *files,
-                               const char *folder,
-                               double seconds,
-                               const tl_study_record *usual,
-                               tl_study_record *record,
-                               tl_error *err);
+/* Whether the default configuration's lighting is this one's by definition, and so is not measured: only
+ * files differ. */
+int tl_study_lighting_is_known(const tl_study_config *config);
+
+/* Fills them in. usual: the default configuration's record, whose medians weigh the stages of a job; may be
+ * `record`. A job needs the times of files. */
+void tl_study_stages_sum(tl_study_record *record, const tl_study_record *usual);
 
 #endif

@@ -1,8 +1,8 @@
 /* Accuracy against time: every configuration of a plan on frames, each measured once; and once more, to see
  * whether the intervals that are stated hold.
  *
- * What was measured stands in FOLDER/study.json after every configuration, so a study that ends early goes on
- * where it ended. */
+ * What was measured stands in FOLDER/study.json after every configuration of the first round, and after every
+ * further round, so a study that ends early goes on where it ended. */
 #ifndef TL_STUDY_H
 #define TL_STUDY_H
 
@@ -38,15 +38,19 @@ typedef struct tl_study {
 
 void tl_study_clear(tl_study *study);
 
+/* A configuration is about to be measured: all of it but for blocks of lighting in round 0, and one block in
+ * every round. */
+typedef struct tl_study_step {
+    const char *frame;
+    int round;           /* of TL_STUDY_BLOCK_COUNT, from 0 on */
+    size_t index, count; /* of the frame's configurations */
+    const tl_study_config *config;
+} tl_study_step;
+
 /* Who looks on. */
 typedef struct tl_study_watch {
-    /* Before a configuration is measured, the `index`th of `count` of the frame. NULL: nobody. */
-    void (*begins)(void *context,
-                   const char *frame,
-                   size_t index,
-                   size_t count,
-                   const tl_study_config *config);
-    int (*stops)(void *context); /* 1: end after this configuration. NULL: never */
+    void (*begins)(void *context, const tl_study_step *step); /* NULL: nobody */
+    int (*stops)(void *context); /* 1: end after this step. NULL: never */
     void *context;
 } tl_study_watch;
 
@@ -54,7 +58,8 @@ typedef struct tl_study_options {
     const char
         *folder; /* exists; NULL: nothing is written, and nothing read or written is timed */
     double
-        seconds; /* that a configuration's lighting is sampled, and each kind of file; 2 pairs a block at least */
+        seconds; /* that a configuration's lighting is sampled, and each kind of file; 2 pairs a block
+                  * at least */
     /* 1: take the times of what is measured once more, and nothing else */
     int again;
     tl_study_watch watch;
@@ -65,8 +70,9 @@ tl_study_options tl_study_options_default(void);
 
 /* Measures what is not in *study yet of the frame under these options, the default configuration always:
  * what does not fit the frame is left out. *was_stopped: whether the watcher ended it. *measured: how many
- * were. Fails as tl_study_steps_find and tl_study_stages_take do, and with TL_ERR_ARGUMENT where nothing is
- * measured that could be again. What was measured before a failure is in *study. */
+ * configurations were, or have blocks more. Fails as tl_study_steps_find, tl_study_time_files and
+ * tl_study_block_take do, and with TL_ERR_ARGUMENT where nothing is measured that could be again. What was
+ * measured before a failure or an end is in *study, but for a second run's, which is there whole or not. */
 tl_status tl_study_run(tl_study *study,
                        tl_device *device,
                        const tl_study_frame *frame,
@@ -83,8 +89,8 @@ tl_status tl_study_claims_find(tl_study *study, const tl_claim_options *options,
  * TL_ERR_MEMORY. */
 tl_status tl_study_write(tl_study *study, const char *folder, tl_error *err);
 
-/* Adds what FOLDER/study.json holds, if it is there, to an empty *study of this machine and device; its command
- * only where *study has none. Fails
+/* Adds what FOLDER/study.json holds, if it is there, to an empty *study of this machine and device; its
+ * command only where *study has none. Fails
  * with TL_ERR_ARGUMENT where that is of another machine or device, TL_ERR_FORMAT (no study, or of another
  * version), TL_ERR_READ or TL_ERR_MEMORY. */
 tl_status tl_study_resume(tl_study *study, const char *folder, tl_error *err);

@@ -64,6 +64,19 @@ static json_t *again_json(const tl_study_record *r)
     return time;
 }
 
+/* Of lighting, for a study that goes on. */
+static json_t *blocks_json(const tl_study_blocks *lit)
+{
+    json_t *object = json_pack("{si si}", "count", lit->count, "samples", (int)lit->samples);
+    for (int i = 0; i < TL_STUDY_LIT_COUNT; i++) {
+        json_t *medians = json_array();
+        for (int k = 0; k < lit->count; k++)
+            json_array_append_new(medians, tl_json_number(lit->medians[i][k]));
+        json_object_set_new(object, tl_study_time_rows[tl_study_lit_times[i]].name, medians);
+    }
+    return object;
+}
+
 static json_t *record_json(const tl_study_record *r)
 {
     char title[1024];
@@ -75,12 +88,12 @@ static json_t *record_json(const tl_study_record *r)
         json_object_set_new(times, tl_study_time_rows[i].name, time_json(&r->times[i]));
     for (int i = 0; i < TL_STUDY_VALUE_COUNT; i++)
         json_object_set_new(values, tl_study_value_rows[i].name, tl_json_number(r->values[i]));
-    return json_pack("{ss so so ss so so ss s{ss ss} ss so}", "title", title, "knobs", knobs,
+    return json_pack("{ss so so ss so so ss s{ss ss} ss so so}", "title", title, "knobs", knobs,
                      "seconds", tl_json_number(r->seconds), "errors_of",
                      tl_study_is_for_screen(&r->config) ? "screen" : "radiance", "times", times,
                      "values", values, "main_cause", tl_study_main_cause(r), "worst", "cause",
                      r->worst_cause, "detail", r->worst_detail, "map", r->map, "again",
-                     again_json(r));
+                     again_json(r), "blocks", blocks_json(&r->lit));
 }
 
 static json_t *planes_json(uint32_t present)
@@ -155,6 +168,24 @@ static tl_study_time read_time(const json_t *object)
                            .is_unstable = json_is_true(json_object_get(object, "unstable"))};
 }
 
+/* As many as there are of all. */
+static tl_study_blocks read_blocks(const json_t *object)
+{
+    tl_study_blocks lit = {.count = (int)json_integer_value(json_object_get(object, "count")),
+                           .samples =
+                               (size_t)json_integer_value(json_object_get(object, "samples"))};
+    lit.count = lit.count < 0 || lit.count > TL_STUDY_BLOCK_COUNT ? 0 : lit.count;
+    for (int i = 0; i < TL_STUDY_LIT_COUNT; i++) {
+        const json_t *medians =
+            json_object_get(object, tl_study_time_rows[tl_study_lit_times[i]].name);
+        if (json_array_size(medians) < (size_t)lit.count)
+            return (tl_study_blocks){.count = 0};
+        for (int k = 0; k < lit.count; k++)
+            lit.medians[i][k] = json_number_value(json_array_get(medians, (size_t)k));
+    }
+    return lit;
+}
+
 static tl_status read_record(const json_t *object,
                              const char *path,
                              tl_study_record *out,
@@ -182,6 +213,7 @@ static tl_status read_record(const json_t *object,
     read_text(worst, "cause", out->worst_cause, sizeof out->worst_cause);
     read_text(worst, "detail", out->worst_detail, sizeof out->worst_detail);
     read_text(object, "map", out->map, sizeof out->map);
+    out->lit = read_blocks(json_object_get(object, "blocks"));
     out->again = read_time(json_object_get(object, "again"));
     return TL_OK;
 }

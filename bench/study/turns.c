@@ -5,6 +5,8 @@
 #include "tilelight/report.h"
 #include "try.h"
 
+#include <assert.h>
+
 static tl_status run(const tl_turn *turn, double *ms, tl_error *err)
 {
     const double start = tl_seconds();
@@ -19,21 +21,16 @@ typedef struct blocks {
     size_t samples;
 } blocks;
 
-static void note(blocks *all, int block, const tl_summary *summary)
-{
-    all->medians[block] = summary->median;
-    all->samples += summary->count;
-}
-
 static tl_study_time time_of(const blocks *all)
 {
-    return tl_study_time_of(all->medians, all->samples);
+    return tl_study_time_of(all->medians, TL_STUDY_BLOCK_COUNT, all->samples);
 }
 
-static void note_samples(blocks *all, int block, tl_samples *samples)
+static void note(blocks *all, int block, tl_samples *samples)
 {
     const tl_summary summary = tl_samples_summarize(samples);
-    note(all, block, &summary);
+    all->medians[block] = summary.median;
+    all->samples += summary.count;
     tl_samples_clear(samples);
 }
 
@@ -81,9 +78,9 @@ tl_status tl_study_turns_take(const tl_turn *usual,
     TRY(run(other, &ms, err));
     for (int i = 0; i < TL_STUDY_BLOCK_COUNT; i++) {
         TRY(take_pairs(usual, other, rule, &p, err));
-        note_samples(&usuals, i, &p.usual);
-        note_samples(&others, i, &p.other);
-        note_samples(&ratios, i, &p.ratio);
+        note(&usuals, i, &p.usual);
+        note(&others, i, &p.other);
+        note(&ratios, i, &p.ratio);
     }
     *usual_ms = time_of(&usuals);
     *other_ms = time_of(&others);
@@ -135,29 +132,28 @@ static double moved_bytes(const tl_frame_side *side, const tl_lighting_counts *c
            ((double)camera->width * camera->height);
 }
 
-tl_status tl_study_time_lighting(tl_study_pictures *p,
-                                 const tl_sampling_rule *rule,
-                                 tl_study_record *record,
-                                 tl_error *err)
+tl_status tl_study_block_take(tl_study_pictures *p,
+                              const tl_sampling_rule *rule,
+                              tl_study_record *record,
+                              tl_error *err)
 {
     const tl_study_config usual = tl_study_config_default();
+    tl_study_blocks *lit = &record->lit;
     tl_frame_side sides[2];
-    blocks ratio = {0}, light = {0}, cull = {0}, shade = {0};
     tl_frame_ratio took;
     tl_status status = TL_OK;
+    assert(lit->count < TL_STUDY_BLOCK_COUNT);
     TRY(side_of(p, &usual, &sides[0], err));
     TRY(side_of(p, &record->config, &sides[1], err));
-    for (int i = 0; i < TL_STUDY_BLOCK_COUNT; i++) {
-        TRY(tl_frame_ratio_measure(p->device, sides, rule, &took, err));
-        note(&ratio, i, &took.ratio);
-        note(&light, i, &took.frame_ms[1]);
-        note(&cull, i, &took.cull_ms[1]);
-        note(&shade, i, &took.shade_ms[1]);
-    }
-    record->times[TL_TIME_LIGHT_RATIO] = time_of(&ratio);
-    record->times[TL_TIME_LIGHT] = time_of(&light);
-    record->times[TL_TIME_CULL] = time_of(&cull);
-    record->times[TL_TIME_SHADE] = time_of(&shade);
+    TRY(tl_frame_ratio_measure(p->device, sides, rule, &took, err));
+    /* By tl_study_lit_times. */
+    const double medians[TL_STUDY_LIT_COUNT] = {took.cull_ms[1].median, took.shade_ms[1].median,
+                                                took.frame_ms[1].median, took.ratio.median};
+    for (int i = 0; i < TL_STUDY_LIT_COUNT; i++)
+        lit->medians[i][lit->count] = medians[i];
+    lit->count++;
+    lit->samples += took.ratio.count;
+    tl_study_note_blocks(record);
     record->values[TL_VALUE_MOVED] = moved_bytes(&sides[1], &took.counts[1]);
 done:
     return status;

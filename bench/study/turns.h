@@ -22,11 +22,12 @@ tl_status tl_study_turns_take(const tl_turn *usual,
                               tl_study_time *ratio,
                               tl_error *err);
 
-/* Fills in the times of lighting: the configuration by turns with the default one; and what it moves. Fails
- * as tl_study_gbuffer and tl_lighting_run do. */
-tl_status tl_study_time_lighting(tl_study_pictures *pictures,
-                                 const tl_sampling_rule *rule,
-                                 tl_study_record *record,
-                                 tl_error *err);
+/* One block of lighting more, of which not all are there: the configuration by turns with the default one.
+ * Fills in the times of all blocks so far, and what it moves. Fails as tl_study_gbuffer and
+ * tl_frame_ratio_measure do. */
+tl_status tl_study_block_take(tl_study_pictures *pictures,
+                              const tl_sampling_rule *rule,
+                              tl_study_record *record,
+                              tl_error *err);
 
 #endif

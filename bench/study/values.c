@@ -22,18 +22,35 @@ static span span_of(const double *blocks, int count)
     return s;
 }
 
-tl_study_time tl_study_time_of(const double blocks[TL_STUDY_BLOCK_COUNT], size_t samples)
+/* All blocks are there. */
+static int drifts(const double *blocks)
 {
     enum { K = TL_STUDY_BLOCK_COUNT / 2 };
-    const span first = span_of(blocks, K), last = span_of(blocks + K + 1, K),
-               all = span_of(blocks, TL_STUDY_BLOCK_COUNT);
+    const span first = span_of(blocks, K), last = span_of(blocks + K + 1, K);
+    return first.most < last.least || first.least > last.most;
+}
+
+tl_study_time tl_study_time_of(const double *blocks, int count, size_t samples)
+{
+    const span all = span_of(blocks, count);
     double sorted[TL_STUDY_BLOCK_COUNT];
-    memcpy(sorted, blocks, sizeof sorted);
-    return (tl_study_time){.median = tl_summarize(sorted, TL_STUDY_BLOCK_COUNT).median,
+    memcpy(sorted, blocks, (size_t)count * sizeof *sorted);
+    return (tl_study_time){.median = tl_summarize(sorted, (size_t)count).median,
                            .low = all.least,
                            .high = all.most,
                            .samples = samples,
-                           .is_unstable = first.most < last.least || first.least > last.most};
+                           .is_unstable = count == TL_STUDY_BLOCK_COUNT && drifts(blocks)};
+}
+
+const tl_study_time_name tl_study_lit_times[TL_STUDY_LIT_COUNT] = {
+    TL_TIME_CULL, TL_TIME_SHADE, TL_TIME_LIGHT, TL_TIME_LIGHT_RATIO};
+
+void tl_study_note_blocks(tl_study_record *record)
+{
+    const tl_study_blocks *lit = &record->lit;
+    for (int i = 0; i < TL_STUDY_LIT_COUNT; i++)
+        record->times[tl_study_lit_times[i]] =
+            tl_study_time_of(lit->medians[i], lit->count, lit->samples);
 }
 
 static double choose(int n, int k)

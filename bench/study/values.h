@@ -6,8 +6,9 @@
 #include "statistics.h"
 #include "study_knobs.h"
 
-/* A time is taken in blocks, each by turns with the default configuration, and lighting with buffers of its
- * own in each: what a block says is the median of its samples. */
+/* A time is taken in blocks, each by turns with the default configuration: what a block says is the median of
+ * its samples. Those of lighting have kernels' buffers of their own in each, and lie apart: a block of every
+ * configuration makes a round, so that what a machine does for a minute is in one block or two. */
 enum { TL_STUDY_BLOCK_COUNT = 11 };
 
 typedef struct tl_study_time {
@@ -17,13 +18,14 @@ typedef struct tl_study_time {
     int is_unstable; /* 1: it drifted while it was measured, or measured again it came out elsewhere */
 } tl_study_time;
 
-/* Of the blocks' medians, in the order in which they were measured.
+/* Of the blocks' medians, [count], in the order in which they were measured; count: 1 to
+ * TL_STUDY_BLOCK_COUNT, which all have that are done.
  *
  * [low, high] is where another run's median lies, with the same number n = 2k + 1 of blocks, in 98.76 of 100.
  * For if the blocks of both runs are exchangeable, each of the C(2n, n) ways in which they may lie among each
  * other is as likely, whatever their distribution. The other run's median is above all of this run's blocks
- * where the k + 1 largest of all are the other's, and the remaining k of it anywhere among the 2n - k - 1 = 3k
- * + 1 smaller: in C(3k + 1, k) of them. So it is outside, above or below, with
+ * where the k + 1 largest of all are the other's, and the remaining k of it anywhere among the 2n - k - 1 =
+ * 3k + 1 smaller: in C(3k + 1, k) of them. So it is outside, above or below, with
  *
  *     2 C(3k + 1, k) / C(4k + 2, 2k + 1) = 2 * 4368 / 705432 = 0.0124 of k = 5
  *
@@ -33,7 +35,7 @@ typedef struct tl_study_time {
  *
  * What drifts is not exchangeable: where the first k blocks are all below or all above the last k, it is
  * unstable, which by chance alone is so in 2 / C(2k, k) = 0.8 of 100. */
-tl_study_time tl_study_time_of(const double blocks[TL_STUDY_BLOCK_COUNT], size_t samples);
+tl_study_time tl_study_time_of(const double *blocks, int count, size_t samples);
 
 /* The probability derived above. */
 double tl_study_interval_coverage(void);
@@ -123,8 +125,21 @@ typedef enum tl_study_value_name {
         TL_STUDY_VALUE_COUNT
 } tl_study_value_name;
 
+/* What blocks of lighting say. */
+enum { TL_STUDY_LIT_COUNT = 4 };
+extern const tl_study_time_name tl_study_lit_times[TL_STUDY_LIT_COUNT];
+
+/* Of lighting, so far. */
+typedef struct tl_study_blocks {
+    double medians[TL_STUDY_LIT_COUNT]
+                  [TL_STUDY_BLOCK_COUNT]; /* [..][count]; by tl_study_lit_times */
+    int count;
+    size_t samples;
+} tl_study_blocks;
+
 typedef struct tl_study_record {
     tl_study_config config;
+    tl_study_blocks lit;
     double seconds; /* that its lighting was sampled at most */
     tl_study_time times[TL_STUDY_TIME_COUNT];
     double values[TL_STUDY_VALUE_COUNT]; /* NAN: not known, or not of this configuration */
@@ -135,8 +150,8 @@ typedef struct tl_study_record {
         again; /* the time that tl_study_judged names, of a second run; NAN: there was none */
 } tl_study_record;
 
-/* Of a record's times the one that a second run is held against: of lighting where it was measured, else of the
- * job; each over the default's. */
+/* Of a record's times the one that a second run is held against: of lighting where it was measured, else of
+ * the job; each over the default's. */
 tl_study_time_name tl_study_judged(const tl_study_record *record);
 
 /* Whether a second run came out inside the interval of the first: 1 or 0; -1: there was none. */
@@ -145,6 +160,9 @@ int tl_study_stays(const tl_study_record *record);
 /* Notes the times of a second run, and marks the first one's unstable where they are outside. */
 void tl_study_note_again(tl_study_record *record,
                          const tl_study_time times[TL_STUDY_TIME_COUNT]);
+
+/* Fills in the times of lighting from its blocks; there is one at least. */
+void tl_study_note_blocks(tl_study_record *record);
 
 /* All not measured. */
 tl_study_record tl_study_record_empty(const tl_study_config *config, double seconds);

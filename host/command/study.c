@@ -46,26 +46,33 @@ static int stops(void *context)
     return is_interrupted != 0;
 }
 
-/* All of the frames, as far as one knows how long they will take. */
+/* Since when rounds of the frame take as long as those that are left. */
 typedef struct progress {
     double start_s;
-    size_t done;            /* configurations of frames before */
-    int frame, frame_count; /* the present one, from 1 on */
+    size_t done; /* steps since then */
 } progress;
 
-static void tell(
-    void *context, const char *frame, size_t index, size_t count, const tl_study_config *config)
+/* After the first round, which takes longer than the others. */
+static void say_left(const progress *p, const tl_study_step *step, char *out, size_t size)
 {
-    const progress *p = context;
+    const size_t left =
+        step->count * (size_t)(TL_STUDY_BLOCK_COUNT - step->round) - step->index;
+    const double each = (tl_seconds() - p->start_s) / (double)p->done;
+    snprintf(out, size, "; some %.0f min left of this frame", ceil(each * (double)left / 60.0));
+}
+
+static void tell(void *context, const tl_study_step *step)
+{
+    progress *p = context;
     char title[1024], left[64] = "", text[1400];
-    const size_t done = p->done + index;
-    tl_study_config_title(config, title, sizeof title);
-    if (done > 2) {
-        const double each = (tl_seconds() - p->start_s) / (double)done;
-        const size_t more = count - index + count * (size_t)(p->frame_count - p->frame);
-        snprintf(left, sizeof left, "; some %.0f min left", ceil(each * (double)more / 60.0));
-    }
-    snprintf(text, sizeof text, "%s: %zu of %zu: %s%s", frame, index + 1, count, title, left);
+    tl_study_config_title(step->config, title, sizeof title);
+    if (step->round == 0 || p->start_s == 0.0)
+        *p = (progress){.start_s = step->round == 0 ? 0.0 : tl_seconds()};
+    if (p->done > 2)
+        say_left(p, step, left, sizeof left);
+    p->done += step->round > 0;
+    snprintf(text, sizeof text, "%s: round %d of %d, %zu of %zu: %s%s", step->frame,
+             step->round + 1, TL_STUDY_BLOCK_COUNT, step->index + 1, step->count, title, left);
     console_stage(text);
 }
 
@@ -182,24 +189,35 @@ static tl_status make_folder(const char *path, tl_error *err)
                    strerror(errno));
 }
 
+static tl_status say_interrupted(const study_command *options, size_t measured, tl_error *err)
+{
+    if (options->again)
+        return tl_fail(err, TL_ERR_DIFFERENT,
+                       "interrupted; of this second run nothing is kept, and the same command "
+                       "begins anew");
+    return tl_fail(err, TL_ERR_DIFFERENT,
+                   "interrupted at %zu configurations, which are in %s as far as they are "
+                   "measured; the same command goes on from there",
+                   measured, options->folder);
+}
+
 static tl_status study_frames(const study_command *options,
                               tl_study *study,
                               tl_device *device,
                               const tl_study_plan *plan,
                               tl_error *err)
 {
-    progress p = {.start_s = tl_seconds(), .frame_count = count_frames(options)};
+    progress p = {.start_s = 0.0};
     tl_study_options how = tl_study_options_default();
     tl_status status = TL_OK;
     how.folder = options->folder;
     how.seconds = options->seconds;
     how.again = options->again;
     how.watch = (tl_study_watch){tell, stops, &p};
-    for (int i = 0; i < p.frame_count; i++) {
+    for (int i = 0; i < count_frames(options); i++) {
         tl_study_frame frame = {0};
         size_t measured = 0;
         int was_stopped = 0;
-        p.frame = i + 1;
         console_stage("making the frame");
         status = make_frame(options, i, &frame, err);
         if (status == TL_OK)
@@ -207,13 +225,8 @@ static tl_status study_frames(const study_command *options,
                 tl_study_run(study, device, &frame, plan, &how, &measured, &was_stopped, err);
         tl_study_frame_clear(&frame);
         TRY(status);
-        p.done += measured;
         if (was_stopped)
-            TRY(tl_fail(
-                err, TL_ERR_DIFFERENT,
-                "interrupted after %zu configurations, which are in %s; the same command %s",
-                p.done, options->folder,
-                options->again ? "begins anew" : "goes on from there"));
+            TRY(say_interrupted(options, measured, err));
     }
 done:
     return status;

@@ -167,11 +167,11 @@ static const char after[] =
     "A time is the median of 11 blocks, stated with the least and the largest of them: between "
     "these another run's lies in 98.8 of 100, and --again sees whether it does. What drifts "
     "while it is measured is marked unstable. The table at the end has the configurations that "
-    "none beats in time and error; study.html shows all of them, and needs neither another "
-    "file "
+    "none beats in time and error; study.html shows all of them, and needs neither another file "
     "nor a network.\n\n"
-    "Ctrl-C ends it after the configuration that it is at; the same command goes on from "
-    "there.";
+    "Blocks lie apart: the first round measures errors, files and a block of lighting of every "
+    "configuration, ten further rounds a block each. Ctrl-C ends it after the configuration that "
+    "it is at; the same command goes on from there.";
 
 void study_parse(int argc, char **argv, study_command *options)
 {
