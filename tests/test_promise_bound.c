@@ -90,11 +90,11 @@ static misses try_samples(const promise_frame *f, double pairs, int trials)
     return m;
 }
 
-/* Of 60 samples none may be below: the chance is 1 in 1000 each. What is seen alone is, of half of them. */
+/* Of 40 samples none may be below: the chance is 1 in 1000 each. What is seen alone is, of half of them. */
 static void frames_of_the_bench(void **state)
 {
     static const char *const scenes[] = {"spheres", "foliage", "grazing"};
-    enum { TRIALS = 60 };
+    enum { TRIALS = 40 };
     (void)state;
     for (size_t i = 0; i < COUNT_OF(scenes); i++) {
         promise_frame f = bench_frame(scenes[i], 256, 160, 64);
@@ -128,7 +128,7 @@ static void plant(promise_frame *f, uint64_t seed, double largest)
 static void rare_errors(void **state)
 {
     static const double largest[] = {1e-4, 1e-2, 0.5};
-    enum { TRIALS = 60 };
+    enum { TRIALS = 40 };
     (void)state;
     promise_frame f = bench_frame("spheres", 256, 160, 64);
     for (size_t i = 0; i < COUNT_OF(largest); i++) {
