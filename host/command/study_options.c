@@ -133,7 +133,8 @@ static const struct argp_option options_table[] = {
     {"list", OPTION_LIST, NULL, 0,
      "Describe knobs, causes and built-in frames; measure nothing", 1},
     {"page", OPTION_PAGE, NULL, 0,
-     "Make study.html of the study.json that DIR holds, of whichever machine; measure nothing",
+     "Make study.html of the study.json that DIR holds, of whichever machine, complete or "
+     "interrupted; measure nothing",
      1},
     {"quiet", 'q', NULL, 0, "No table and no progress; errors are still said", 1},
     {"size", OPTION_SIZE, "WIDTHxHEIGHT", 0,

@@ -370,24 +370,43 @@ def has_contrast(browser, page, study):
 
 
 def fits_a_telephone(browser, page, study):
-    """400 px wide: nothing stands out of the window, and no text is below 12 px, those of plots included."""
+    """400 px wide: nothing stands out of the window, no text is below 12 px, plots are not shrunk."""
     browser.load(page, width=400)
     browser.run("document.querySelectorAll('details').forEach(d => d.open = true)")
     wide = browser.run("return [document.documentElement.scrollWidth, document.body.scrollWidth, innerWidth]")
     wrong = ["the body is %d px wide" % max(wide[:2])] if max(wide) > 400 else []
     texts = browser.run(VISIBLE_TEXTS)
     wrong += ["\"%s\" is %.1f px" % (t["text"], t["size"]) for t in texts if t["size"] < 12]
-    cut = browser.run(
-        "return [...document.querySelectorAll('.plot')].flatMap(svg => {"
-        "const s = svg.getBoundingClientRect();"
-        "return [...svg.querySelectorAll('text')].filter(t => { const b = t.getBoundingClientRect();"
-        "return b.left < s.left - 1 || b.right > s.right + 1 || s.right > innerWidth; })"
-        ".map(t => t.textContent)})")
-    wrong += ["a plot cuts \"%s\"" % t for t in cut]
     scale = browser.run("const s = document.querySelector('#front-plot');"
                         "return s.getBoundingClientRect().width / s.viewBox.baseVal.width")
     if abs(scale - 1) > 0.01:
         wrong.append("the plot is drawn at %.2f of its size" % scale)
+    return wrong[:5]
+
+
+CROWDED_TEXTS = """
+const found = [];
+for (const svg of document.querySelectorAll('.plot')) {
+    const s = svg.getBoundingClientRect(), texts = [...svg.querySelectorAll('text:not(.unstable-sign)')]
+        .map(t => ({ text: t.textContent, box: t.getBoundingClientRect() }));
+    texts.filter(t => t.box.left < s.left - 1 || t.box.right > s.right + 1 || t.box.bottom > s.bottom + 1)
+        .forEach(t => found.push('cuts "' + t.text + '"'));
+    texts.forEach((a, i) => texts.slice(i + 1).filter(b => a.box.left < b.box.right - 1 &&
+        b.box.left < a.box.right - 1 && a.box.top < b.box.bottom - 4 && b.box.top < a.box.bottom - 4)
+        .forEach(b => found.push('has "' + a.text + '" over "' + b.text + '"')));
+}
+return found;"""
+
+
+def keeps_texts_apart(browser, page, study):
+    """In plots no text is cut, and none stands on another; 4 px of a line's height are air."""
+    wrong = []
+    for width in (1280, 820, 400):
+        browser.load(page, width=width)
+        choose(browser, "#rows", "all")
+        for key in TIMES:
+            choose(browser, "#time", key)
+            wrong += ["%d px, %s: a plot %s" % (width, key, what) for what in browser.run(CROWDED_TEXTS)]
     return wrong[:5]
 
 
@@ -475,7 +494,7 @@ def tells_findings(browser, page, study):
 
 CHECKS = [loads, asks_nothing_of_a_network, has_a_point_for_each, puts_points_where_they_belong,
           marks_the_front, marks_what_is_unstable, is_reached_by_keys, is_reached_by_pointer, moves_the_line,
-          sorts, shows_claims, has_contrast, fits_a_telephone, keeps_still, saves_plots,
+          sorts, shows_claims, has_contrast, fits_a_telephone, keeps_texts_apart, keeps_still, saves_plots,
           has_its_plots_as_files, tells_findings]
 
 

@@ -87,14 +87,14 @@ var pageTables = function (study, shown, choose) {
     function claimColumns() {
         const theirs = f => data.list(f.theirs);
         return [
-            { name: 'claim', kind: 'name', title: 'in the order in which they are told', value: f => f.place,
-              show: f => f.of },
-            { name: 'what', kind: 'text', value: f => f.what, show: f => f.what || '' },
+            { name: 'what', kind: 'name', value: f => f.what, show: f => f.what || '' },
             { name: 'theirs', kind: 'number', value: f => theirs(f)[0], show: f => range(...theirs(f)) },
             { name: 'ours', kind: 'number', value: f => f.ours, show: f => range(f.ours, f.ours) },
             { name: 'least to largest', kind: 'number', value: f => f.low,
               show: f => f.low === f.high ? '' : range(f.low, f.high) },
             { name: 'unit', kind: 'text', value: f => f.unit, show: f => f.unit || '' },
+            { name: 'claim', kind: 'text', title: 'in the order in which they are told', value: f => f.place,
+              show: f => f.of },
         ];
     }
 
@@ -108,7 +108,7 @@ var pageTables = function (study, shown, choose) {
             c.method ? 'Ours: ' + c.method : '')];
         byId('claims').hidden = byId('to-claims').hidden = rows.length === 0;
         fill(byId('claims-list'), ...[].concat(...all.map(says)));
-        fillTable(byId('claims-table'), claimColumns(), rows, 0, () => ({}));
+        fillTable(byId('claims-table'), claimColumns(), rows, 5, () => ({}));
     }
 
     return { all, front, claims };

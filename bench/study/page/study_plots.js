@@ -9,8 +9,9 @@ var studyPlots = (function () {
     const shapes = { storage: 'symbolCircle', arithmetic: 'symbolTriangle', approximation: 'symbolDiamond',
                      culling: 'symbolStar', output: 'symbolCross', none: 'symbolWye' };
 
+    /* Of the widest of the fonts in plot.css, in bold, about. */
     function widthOf(text) {
-        return 6.7 * text.length;
+        return 7.5 * text.length;
     }
 
     function mark(d3, cause, size) {
@@ -287,10 +288,12 @@ var studyPlots = (function () {
 
     /* --- causes --- */
 
+    /* Names of rows stand on their left, or where columns would be too narrow for texts beside bars above. */
     function columnsOf(spec) {
-        const isNarrow = spec.width < 760, longest = Math.max(0, ...spec.rows.map(r => widthOf(r.label)));
-        const left = isNarrow ? 8 : Math.max(120, Math.min(260, longest + 20));
-        const names = ['total'].concat(spec.causes), gap = isNarrow ? 8 : 18;
+        const longest = Math.max(0, ...spec.rows.map(r => widthOf(r.label)));
+        const names = ['total'].concat(spec.causes), beside = Math.max(120, Math.min(300, longest + 20));
+        const isNarrow = (spec.width - beside) / names.length < 122, left = isNarrow ? 8 : beside;
+        const gap = isNarrow ? 8 : 18;
         const width = (spec.width - 12 - left - gap * (names.length - 1)) / names.length;
         return { isNarrow: isNarrow, left: left, width: width, names: names,
                  at: i => left + i * (width + gap), barWidth: isNarrow ? width : width - 46,
@@ -301,7 +304,7 @@ var studyPlots = (function () {
         columns.names.forEach((name, i) => {
             const at = columns.at(i), isFit = widthOf(name) <= columns.width + 6;
             svg.append('text').attr('class', 'strong').attr('x', at).attr('y', 22)
-                .text(isFit ? name : name.slice(0, Math.floor(columns.width / 7.2) - 1) + '.');
+                .text(isFit ? name : name.slice(0, Math.floor(columns.width / widthOf('x')) - 1) + '.');
             const ticks = powerTicks(scale.domain(), Math.max(2, columns.barWidth / 50));
             const axis = svg.append('g').attr('transform', 'translate(' + at + ',' + foot + ')')
                 .call(d3.axisBottom(scale).tickValues(ticks).tickFormat(power).tickSizeOuter(0)
@@ -315,7 +318,7 @@ var studyPlots = (function () {
     function causesRow(svg, columns, scale, row, top) {
         const labelY = columns.isNarrow ? top + 12 : top + 15;
         const barY = columns.isNarrow ? top + 34 : top + 6, barHeight = columns.isNarrow ? 7 : 11;
-        const most = Math.floor((columns.isNarrow ? 1000 : columns.left - 12) / 6.7);
+        const most = Math.floor((columns.isNarrow ? 1000 : columns.left - 12) / widthOf('x'));
         const name = row.label.length > most ? row.label.slice(0, most - 1) + '…' : row.label;
         svg.append('text').attr('class', 'over').attr('y', labelY)
             .attr('x', columns.isNarrow ? columns.left : columns.left - 12)
