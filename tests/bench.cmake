@@ -19,3 +19,8 @@ find_package(Python3 REQUIRED COMPONENTS Interpreter)
 add_test(NAME performance_page_is_made
          COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/bench/plots/make_page --check)
 set_tests_properties(performance_page_is_made PROPERTIES LABELS unit)
+
+# The same of the page of accuracy.
+add_test(NAME study_page_is_made
+         COMMAND ${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/scripts/make-study-page --check)
+set_tests_properties(study_page_is_made PROPERTIES LABELS unit)
