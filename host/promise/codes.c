@@ -84,7 +84,7 @@ static tl_estimate most_apart(const tl_sample *sample,
         const int off = apart(codes[GOT], codes[LOW], at);
         seen = off > seen ? off : seen;
     }
-    return (tl_estimate){seen, bound};
+    return (tl_estimate){tl_sample_is_whole(sample) ? bound : seen, bound};
 }
 
 tl_status tl_codes_off(const tl_goal *goal,

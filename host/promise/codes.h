@@ -5,9 +5,9 @@
 #include "deviation.h"
 #include "goal.h"
 
-/* The largest difference of any channel: as seen on the sample (of pixels of which a sample is all, where
- * pixels are means of side x side of them, else 0), and an upper bound for all pixels: what the assumption of
- * deviation.c leaves. Fails with TL_ERR_MEMORY. */
+/* The largest difference of any channel: as seen on the sample, and an upper bound for all pixels: what the
+ * assumption of deviation.c leaves. Where pixels are means of side x side of those that were drawn, nothing is seen
+ * of them, 0, unless all were drawn. Fails with TL_ERR_MEMORY. */
 tl_status tl_codes_off(const tl_goal *goal,
                        const tl_sample *sample,
                        const tl_deviation *deviation,

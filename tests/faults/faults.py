@@ -258,7 +258,7 @@ FAULTS = [
           "goal->kind == TL_GOAL_CODES || goal->kind == TL_GOAL_FLIP", "goal->kind == TL_GOAL_FLIP",
           "test_promise_choose", []),
     Fault("promise-unchecked", "what is expected is kept, and no check asks", "host/promise/promise.c",
-          "*keeps = now->off.bound <= goal->limit;", "*keeps = 1;", "test_promise_lit", []),
+          "if (now->off.bound <= goal->limit)", "if (now->off.bound >= 0.0)", "test_promise_lit", []),
     Fault("promise-forgotten", "a check that fails changes nothing of what is expected from then on",
           "host/promise/promise.c", "    tl_memory_write(memory, w.kind, w.candidates);\n",
           "    if (out->attempt_count == 1)\n        tl_memory_write(memory, w.kind, w.candidates);\n",
