@@ -194,7 +194,8 @@ static int true_codes(const promise_frame *f, const tl_goal *goal)
 /* No sample shows the worst pixel; the bound has it all the same. */
 static void codes_of_all_pixels(void **state)
 {
-    static const double largest[] = {1e-5, 1e-3, 1e-2, 0.1};
+    /* pictures that are too bright, and too dark */
+    static const double largest[] = {1e-5, 1e-3, 0.1, -1e-3, -0.1};
     const tl_goal goal = {.kind = TL_GOAL_CODES, .limit = 1.0};
     (void)state;
     promise_frame f = bench_frame("spheres", 256, 160, 64);
@@ -220,7 +221,7 @@ static void codes_of_all_pixels(void **state)
     promise_frame_clear(&f);
 }
 
-static double true_flip(const promise_frame *f, const tl_goal *goal)
+static double true_flip(const promise_frame *f, const tl_goal *goal, float *map)
 {
     const tl_image *of[2] = {f->picture, f->reference};
     tl_image *shown[2];
@@ -238,7 +239,7 @@ static double true_flip(const promise_frame *f, const tl_goal *goal)
         free(rgb);
     }
     ASSERT_OK(tl_flip_compare(shown[0], shown[1], TL_FLIP_SCREEN, TL_FLIP_PIXELS_PER_DEGREE,
-                              NULL, &flip, &err),
+                              map, &flip, &err),
               err);
     tl_image_destroy(shown[0]);
     tl_image_destroy(shown[1]);
@@ -252,7 +253,7 @@ static void flip_of_windows(void **state)
     (void)state;
     promise_frame f = bench_frame("spheres", 256, 160, 64);
     plant(&f, 5, 0.1);
-    const double truth = true_flip(&f, &goal);
+    const double truth = true_flip(&f, &goal, NULL);
     int below = 0;
     for (uint64_t seed = 1; seed <= 20; seed++) {
         tl_windows *windows = NULL;
@@ -273,13 +274,50 @@ static void flip_of_windows(void **state)
     promise_frame_clear(&f);
 }
 
+/* In each window the sums are those of the whole picture there, whatever is around it. */
+static void a_window_is_part_of_the_whole(void **state)
+{
+    const tl_goal goal = {.kind = TL_GOAL_FLIP, .limit = 0.01};
+    (void)state;
+    promise_frame f = bench_frame("spheres", 250, 155, 64);
+    const uint32_t width = f.picture->width;
+    float *map = malloc((size_t)width * f.picture->height * sizeof *map);
+    plant(&f, 5, 0.3);
+    true_flip(&f, &goal, map);
+    for (uint64_t seed = 1; seed <= 4; seed++) {
+        tl_windows *windows = NULL;
+        tl_error err;
+        ASSERT_OK(tl_windows_draw(f.gbuffer, &f.lights, 2e4, seed, &windows, &err), err);
+        assert_true(windows->count > 3 && windows->count < windows->cell_count);
+        for (uint32_t i = 0; i < windows->count; i++) {
+            const tl_window *w = &windows->of[i];
+            double got, want = 0.0;
+            for (uint32_t y = w->y; y < w->y + w->height; y++)
+                for (uint32_t x = w->x; x < w->x + w->width; x++)
+                    want += (double)map[(size_t)y * width + x];
+            ASSERT_OK(tl_window_flip(w, &goal, f.picture, 0.0f, &got, &err), err);
+            if (!(fabs(got - want) <= 1e-5 * want))
+                fail_msg("the window at (%u, %u) has %g, the picture there %g", w->x, w->y, got,
+                         want);
+        }
+        tl_windows_destroy(windows);
+    }
+    free(map);
+    promise_frame_clear(&f);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rare_numbers),        cmocka_unit_test(its_equation),
-        cmocka_unit_test(frames_of_the_bench), cmocka_unit_test(rare_errors),
-        cmocka_unit_test(not_finite),          cmocka_unit_test(a_whole_picture_is_exact),
-        cmocka_unit_test(codes_of_all_pixels), cmocka_unit_test(flip_of_windows),
+        cmocka_unit_test(rare_numbers),
+        cmocka_unit_test(its_equation),
+        cmocka_unit_test(frames_of_the_bench),
+        cmocka_unit_test(rare_errors),
+        cmocka_unit_test(not_finite),
+        cmocka_unit_test(a_whole_picture_is_exact),
+        cmocka_unit_test(codes_of_all_pixels),
+        cmocka_unit_test(flip_of_windows),
+        cmocka_unit_test(a_window_is_part_of_the_whole),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

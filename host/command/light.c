@@ -49,7 +49,7 @@ static const struct argp_child children[] = {
     {&import_argp, 0, "Captures of other programs (docs/file-formats.md):", 3},
     {&report_argp, 0, "Reports:", 4},
     {&explain_argp, 0, "What the frame called for:", 5},
-    {&promise_argp, 0, "Accuracy for time (docs/promise.md):", 6},
+    {&promise_argp, 0, "What the picture keeps (docs/promise.md):", 6},
     {0},
 };
 

@@ -66,7 +66,7 @@ static const struct argp_child children[] = {
     {&lighting_argp, 0, "Lighting:", 3},
     {&report_argp, 0, "Reports:", 5},
     {&explain_argp, 0, "What the frame called for:", 6},
-    {&promise_argp, 0, "Accuracy for time (docs/promise.md):", 7},
+    {&promise_argp, 0, "What the picture keeps (docs/promise.md):", 7},
     {0},
 };
 

@@ -243,8 +243,7 @@ done:
     return status;
 }
 
-/* Summed over what the window counts. */
-static tl_status flip_of(const tl_window *window,
+tl_status tl_window_flip(const tl_window *window,
                          const tl_goal *goal,
                          const tl_image *image,
                          float exposure,
@@ -304,7 +303,7 @@ tl_status tl_windows_flip(const tl_windows *windows,
     const float exposure = tl_goal_exposure(goal, pixels);
     for (uint32_t i = 0; i < windows->count; i++) {
         double of = 0.0;
-        TRY(flip_of(&windows->of[i], goal, pixels, exposure, &of, err));
+        TRY(tl_window_flip(&windows->of[i], goal, pixels, exposure, &of, err));
         sum += of;
         most = fmax(most, of);
     }

@@ -32,6 +32,15 @@ tl_status tl_windows_draw(const tl_gbuffer *gbuffer,
 /* Accepts NULL. */
 void tl_windows_destroy(tl_windows *windows);
 
+/* What FLIP sums up to in a window: of a picture of pixels, not of samples, at this exposure. Fails with
+ * TL_ERR_MEMORY. */
+tl_status tl_window_flip(const tl_window *window,
+                         const tl_goal *goal,
+                         const tl_image *image,
+                         float exposure,
+                         double *sum,
+                         tl_error *err);
+
 /* Mean FLIP of the picture's codes against those of the reference: as seen in windows, and an upper bound
  * that holds but for a chance of exp(-doubt), if no part of the picture is more than four times as far off as
  * the worst that was seen. image: of the frame's size. Fails with TL_ERR_MEMORY. */

@@ -239,6 +239,8 @@ FAULTS = [
           "(float)(got + by)", "(float)got", "test_promise_bound", []),
     Fault("promise-windows", "the room around a window is counted, too", "host/promise/windows.c",
           "window->x - window->around_x + x]", "x]", "test_promise_bound", []),
+    Fault("promise-around", "FLIP sees nothing around a window", "host/promise/windows.c", "AROUND = 12,",
+          "AROUND = 0,", "test_promise_bound", []),
     Fault("promise-rims", "pixels that hang on rounding are no others", "host/reference/rim_row.c",
           "r.below2 = r.margin2;", "r.below2 = -1.0f;", "test_promise_sample", []),
     Fault("promise-lights", "the last light that reaches a group of pixels is lost", "host/reference/some_twin.c",
