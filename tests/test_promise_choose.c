@@ -200,6 +200,7 @@ static void remembers(void **state)
                     fabs(got[i].error / want[i].error - 1.0) < 1e-8);
     }
     assert_true(reads(alike, got));
+    assert_false(json_equal(others[1], others[2]));
     for (size_t i = 0; i < COUNT_OF(others); i++) {
         assert_false(json_equal(others[i], kind));
         assert_false(reads(others[i], got));
