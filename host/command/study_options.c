@@ -52,9 +52,7 @@ static void check_together(const study_command *options, struct argp_state *stat
         argp_error(state, "--claims are not measured a second time: leave them out of --again");
     if (options->page && (options->scene_count > 0 || options->knobs_given || options->again ||
                           options->anew || options->claims))
-        if (options->page && (options->scene_count > 0 || options->knobs_given ||
-                              options->again || options->anew || options->claims))
-            argp_error(state, "--page measures nothing: it goes with -o DIR alone");
+        argp_error(state, "--page measures nothing: it goes with -o DIR alone");
     if (options->camera && options->scene_count == 0)
         argp_error(state, "--camera is for scenes");
     if (options->lights && options->scene_count == 0)
@@ -169,8 +167,7 @@ static const char after[] =
     "these another run's lies in 98.8 of 100, and --again sees whether it does. What drifts "
     "while it is measured is marked unstable. The table at the end has the configurations that "
     "none beats in time and error; study.html shows all of them, and needs neither another "
-    "file "
-    "nor a network.\n\n"
+    "file nor a network.\n\n"
     "Blocks lie apart: the first round measures errors, files and a block of lighting of every "
     "configuration, ten further rounds a block each. Ctrl-C ends it after the configuration "
     "that "
