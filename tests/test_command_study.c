@@ -56,7 +56,8 @@ static void usage_errors_are_said(void **state)
         expect_run(command, 2, "", rows[i].says);
     }
     expect_run("$T study -o no/where", 5, "", "no/where: the folder cannot be made");
-    expect_run("$T study -o d missing.exr", 3, "", "missing.exr");
+    expect_run("touch file && $T study -o file", 5, "", "file: the folder cannot be made");
+    expect_run("rm file && $T study -o d missing.exr", 3, "", "missing.exr");
     assert_int_equal(count_files(), 1); /* d, which is empty */
     expect_run("$T study --list", 0, "compression", "");
     expect_run("$T study --help", 0, "--knob", "");

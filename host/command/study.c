@@ -183,7 +183,8 @@ static void complete(study_command *options)
 
 static tl_status make_folder(const char *path, tl_error *err)
 {
-    if (mkdir(path, 0777) == 0 || errno == EEXIST)
+    struct stat seen;
+    if (mkdir(path, 0777) == 0 || (stat(path, &seen) == 0 && S_ISDIR(seen.st_mode)))
         return TL_OK;
     return tl_fail(err, TL_ERR_WRITE, "%s: the folder cannot be made: %s", path,
                    strerror(errno));

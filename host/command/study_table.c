@@ -80,8 +80,7 @@ static void print_faults(FILE *out, const tl_study_result *result)
         culled += result->records[i].values[TL_VALUE_CULLING_DIFFERING] > 0.0;
     }
     if (unstable)
-        fprintf(out, "%zu of %zu times of lighting are unstable (!).\n", unstable,
-                result->count);
+        fprintf(out, "Unstable (!): %zu of %zu times of lighting.\n", unstable, result->count);
     if (culled)
         fprintf(out, "CULLING CHANGES THE PICTURE in %zu configurations: that is a fault.\n",
                 culled);
