@@ -1,12 +1,14 @@
 #include "bench_case.h"
+#include "word_list.h"
 
 #include "tilelight/layouts.h"
 #include "try.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_CASES = 10000, MOST_LIST = 4096 };
+enum { MOST_CASES = 10000 };
 
 /* Layouts under the usual lights, under some that reach every pixel, and under one that reaches none:
  * there pixels are read and written, and nothing else is done. */
@@ -59,40 +61,14 @@ const tl_bench_set tl_bench_sets[] = {
 };
 const int tl_bench_set_count = sizeof tl_bench_sets / sizeof tl_bench_sets[0];
 
-/* The words of one list. */
-typedef struct words {
-    char text[MOST_LIST]; /* commas made into ends of words */
-    const char *of[MOST_LIST / 2];
-    size_t count;
-    int is_all; /* it was the word "all" */
-} words;
-
-static tl_status split(const char *list, const tl_bench_axis *of, words *out, tl_error *err)
+static tl_status split(const char *list,
+                       const tl_bench_axis *of,
+                       tl_word_list *out,
+                       tl_error *err)
 {
-    const char *axis = of->name;
-    out->is_all = of->all && strcmp(list, "all") == 0;
-    if (out->is_all)
-        list = of->all;
-    const size_t length = strlen(list);
-    if (length >= MOST_LIST)
-        return tl_fail(err, TL_ERR_ARGUMENT, "--%s: the list has more than %d characters", axis,
-                       MOST_LIST - 1);
-    memcpy(out->text, list, length + 1);
-    out->count = 0;
-    for (char *word = out->text; word; out->count++) {
-        char *comma = strchr(word, ',');
-        if (comma)
-            *comma = '\0';
-        if (*word == '\0')
-            return tl_fail(err, TL_ERR_ARGUMENT,
-                           "--%s: \"%s\" is no list: write words with commas between them",
-                           axis, list);
-        if (strlen(word) >= TL_BENCH_WORD_SIZE)
-            return tl_fail(err, TL_ERR_ARGUMENT, "--%s: \"%s\" is too long a word", axis, word);
-        out->of[out->count] = word;
-        word = comma ? comma + 1 : NULL;
-    }
-    return TL_OK;
+    char option[2 + TL_BENCH_WORD_SIZE];
+    snprintf(option, sizeof option, "--%s", of->name);
+    return tl_word_list_split(option, list, of->all, out, err);
 }
 
 static tl_bench_case starting_case(void)
@@ -125,7 +101,10 @@ static tl_status append(tl_bench_cases *cases, const tl_bench_case *one, tl_erro
 }
 
 /* The case whose words are the `number`th combination, the last axis changing fastest. */
-static tl_status make_case(const words *lists, size_t number, tl_bench_case *out, tl_error *err)
+static tl_status make_case(const tl_word_list *lists,
+                           size_t number,
+                           tl_bench_case *out,
+                           tl_error *err)
 {
     tl_status status = TL_OK;
     *out = starting_case();
@@ -166,7 +145,7 @@ tl_status tl_bench_cases_add(tl_bench_cases *cases, const tl_bench_lists *lists,
     const size_t count_before = cases->count;
     tl_status status = TL_OK;
     size_t product = 1;
-    words *split_lists = calloc(TL_AXIS_COUNT, sizeof *split_lists);
+    tl_word_list *split_lists = calloc(TL_AXIS_COUNT, sizeof *split_lists);
     if (!split_lists)
         TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for cases"));
     for (int axis = 0; axis < TL_AXIS_COUNT; axis++) {

@@ -1,11 +1,13 @@
 #include "plan.h"
 
 #include "try.h"
+#include "word_list.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_CONFIGS = 10000, MOST_LIST = 1024 };
+enum { MOST_CONFIGS = 10000 };
 
 #define POWER (TL_STUDY_KNOB_APPROXIMATIONS + TL_KNOB_POWER)
 #define ROOT (TL_STUDY_KNOB_APPROXIMATIONS + TL_KNOB_ROOT)
@@ -64,35 +66,14 @@ static const tl_study_lists quick_products[] = {
     {{[TL_STUDY_KNOB_LAYOUT] = "compact-12", [POWER] = "degree-4", [MATH] = "relaxed"}},
 };
 
-/* The words of one list. */
-typedef struct words {
-    char text[MOST_LIST]; /* commas made into ends of words */
-    const char *of[MOST_LIST / 2];
-    size_t count;
-} words;
-
-static tl_status split(const char *list, const tl_study_knob *knob, words *out, tl_error *err)
+static tl_status split(const char *list,
+                       const tl_study_knob *knob,
+                       tl_word_list *out,
+                       tl_error *err)
 {
-    if (knob->all && strcmp(list, "all") == 0)
-        list = knob->all;
-    const size_t length = strlen(list);
-    if (length >= MOST_LIST)
-        return tl_fail(err, TL_ERR_ARGUMENT, "--knob %s: the list has more than %d characters",
-                       knob->name, MOST_LIST - 1);
-    memcpy(out->text, list, length + 1);
-    out->count = 0;
-    for (char *word = out->text; word; out->count++) {
-        char *comma = strchr(word, ',');
-        if (comma)
-            *comma = '\0';
-        if (*word == '\0')
-            return tl_fail(err, TL_ERR_ARGUMENT,
-                           "--knob %s: \"%s\" is no list: write words with commas between them",
-                           knob->name, list);
-        out->of[out->count] = word;
-        word = comma ? comma + 1 : NULL;
-    }
-    return TL_OK;
+    char option[sizeof "--knob " + TL_BENCH_WORD_SIZE];
+    snprintf(option, sizeof option, "--knob %s", knob->name);
+    return tl_word_list_split(option, list, knob->all, out, err);
 }
 
 static int is_there(const tl_study_plan *plan, const tl_study_config *one)
@@ -119,7 +100,10 @@ static tl_status append(tl_study_plan *plan, const tl_study_config *one, tl_erro
 }
 
 /* The configuration whose words are the `number`th combination, the last knob changing fastest. */
-static tl_status combine(const words *lists, size_t number, tl_study_config *out, tl_error *err)
+static tl_status combine(const tl_word_list *lists,
+                         size_t number,
+                         tl_study_config *out,
+                         tl_error *err)
 {
     tl_status status = TL_OK;
     *out = tl_study_config_default();
@@ -137,7 +121,7 @@ tl_status tl_study_plan_add(tl_study_plan *plan, const tl_study_lists *lists, tl
     const size_t count_before = plan->count;
     tl_status status = TL_OK;
     size_t product = 1;
-    words *split_lists = calloc(TL_STUDY_KNOB_COUNT, sizeof *split_lists);
+    tl_word_list *split_lists = calloc(TL_STUDY_KNOB_COUNT, sizeof *split_lists);
     if (!split_lists)
         TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for configurations"));
     for (int knob = 0; knob < TL_STUDY_KNOB_COUNT; knob++) {
