@@ -62,8 +62,9 @@ static const struct {
      {"sky", "\"colour\"", "did you mean \"color\""}},
 
     /* Of a later version. */
-    {POINT("\"castsShadow\": true"), TL_ERR_UNSUPPORTED, {"lights[0]", "castsShadow"}},
     {POINT("\"group\": \"key\""), TL_ERR_UNSUPPORTED, {"group"}},
+
+    {POINT("\"castsShadow\": 1"), TL_ERR_FORMAT, {"lights[0]", "castsShadow", "true or false"}},
 
     /* Falloff tables. */
     {POINT("\"lut\": [1, 0]"), TL_ERR_FORMAT, {"lights[0]", "\"lut\"", "falloff"}},

@@ -67,6 +67,7 @@ static tl_light next_light(uint32_t *random, tl_light_set *tables)
     light.specular = next_awkward(random);
     if (next_random(random) >> 31)
         light.ambient = next_awkward(random);
+    light.casts_shadow = next_random(random) >> 31;
     if (light.type != TL_LIGHT_DIRECTIONAL && next_random(random) >> 31) {
         light.range = next_awkward(random) + FLT_MIN;
         light.falloff = (tl_falloff)((next_random(random) >> 16) %
@@ -270,7 +271,7 @@ static void meaning(void **state)
         "},\n"
         "    { \"type\": \"spot\", \"position\": [0, 4, 0], \"direction\": [0, -1, 0],\n"
         "      \"color\": [1, 0.5, 0.25], \"intensity\": 50, \"range\": 12,\n"
-        "      \"innerConeAngle\": 0.25, \"outerConeAngle\": 0.5,\n"
+        "      \"innerConeAngle\": 0.25, \"outerConeAngle\": 0.5, \"castsShadow\": true,\n"
         "      \"falloff\": \"inverse-square\" } ] }";
     (void)state;
     tl_error err;
@@ -296,6 +297,7 @@ static void meaning(void **state)
     spot.range = 12.0f;
     spot.inner_cone = 0.25f;
     spot.outer_cone = 0.5f;
+    spot.casts_shadow = 1;
     ASSERT_OK(tl_light_set_add(&wanted, &sun, &err), err);
     ASSERT_OK(tl_light_set_add(&wanted, &lamp, &err), err);
     ASSERT_OK(tl_light_set_add(&wanted, &spot, &err), err);

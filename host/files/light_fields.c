@@ -26,4 +26,5 @@ const tl_light_field tl_light_fields[TL_LIGHT_FIELD_COUNT] = {
     {"outerConeAngle", TL_FIELD_NUMBER, offsetof(tl_light, outer_cone), SPOT, false},
     {"texture", TL_FIELD_IMAGE, offsetof(tl_light, texture), PLACED, false},
     {"up", TL_FIELD_UNIT, offsetof(tl_light, up), PLACED, false},
+    {"castsShadow", TL_FIELD_FLAG, offsetof(tl_light, casts_shadow), ANY, false},
 };

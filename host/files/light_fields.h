@@ -17,7 +17,8 @@ typedef enum tl_field_kind {
     TL_FIELD_FALLOFF, /* tl_falloff, as its word */
     TL_FIELD_NAME,    /* char [64] */
     TL_FIELD_TABLE,   /* uint32_t: 1 + index of the set's tables, as an array of numbers */
-    TL_FIELD_IMAGE    /* uint32_t: 1 + index of the set's images, as a path */
+    TL_FIELD_IMAGE,   /* uint32_t: 1 + index of the set's images, as a path */
+    TL_FIELD_FLAG     /* uint32_t: 0 or 1, as false or true */
 } tl_field_kind;
 
 typedef struct tl_light_field {
@@ -28,7 +29,7 @@ typedef struct tl_light_field {
     bool is_required; /* by those types; else tl_light_default has the default */
 } tl_light_field;
 
-enum { TL_LIGHT_FIELD_COUNT = 16 };
+enum { TL_LIGHT_FIELD_COUNT = 17 };
 
 /* `type` itself is not among them: it decides which of them apply. */
 extern const tl_light_field tl_light_fields[TL_LIGHT_FIELD_COUNT];

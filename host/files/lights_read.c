@@ -16,29 +16,17 @@
 
 enum { KNOWN_VERSION = 1, MAX_LIGHTS = 10000000, MAX_WORDS = 32 };
 
-/* Fields of the format that this version cannot light yet. Some have a value that asks for
- * nothing. */
-static const struct {
-    const char *name;
-    enum { NEVER, IF_FALSE } harmless;
-} later_fields[] = {
-    {"castsShadow", IF_FALSE},
-    {"group", NEVER},
-};
+/* Fields of the format that this version cannot light yet. */
+static const char *const later_fields[] = {"group"};
 enum { LATER_COUNT = sizeof later_fields / sizeof later_fields[0] };
 
-static tl_status check_later(const tl_place *at,
-                             const char *key,
-                             const json_t *value,
-                             tl_error *err)
+static tl_status check_later(const tl_place *at, const char *key, tl_error *err)
 {
     const char *words[MAX_WORDS] = {"type"};
     size_t word_count = 1;
     for (size_t i = 0; i < LATER_COUNT; i++) {
-        if (strcmp(key, later_fields[i].name) != 0)
+        if (strcmp(key, later_fields[i]) != 0)
             continue;
-        if (later_fields[i].harmless == IF_FALSE && json_is_false(value))
-            return TL_OK;
         return tl_fail(err, TL_ERR_UNSUPPORTED,
                        "%s:%s field \"%s\" is not supported by this version; remove it",
                        at->source, at->inside, key);
@@ -46,7 +34,7 @@ static tl_status check_later(const tl_place *at,
     for (size_t i = 0; i < TL_LIGHT_FIELD_COUNT; i++)
         words[word_count++] = tl_light_fields[i].name;
     for (size_t i = 0; i < LATER_COUNT; i++)
-        words[word_count++] = later_fields[i].name;
+        words[word_count++] = later_fields[i];
     return tl_unknown_field(at, key, words, word_count, err);
 }
 
@@ -99,6 +87,16 @@ static tl_status read_name(
     return TL_OK;
 }
 
+static tl_status read_flag(
+    const tl_place *at, const char *field, const json_t *value, uint32_t *out, tl_error *err)
+{
+    if (!json_is_boolean(value))
+        return tl_fail(err, TL_ERR_FORMAT, "%s:%s \"%s\" must be true or false", at->source,
+                       at->inside, field);
+    *out = json_is_true(value);
+    return TL_OK;
+}
+
 static tl_status read_field(const tl_place *at,
                             const tl_light_field *field,
                             const json_t *value,
@@ -114,6 +112,7 @@ static tl_status read_field(const tl_place *at,
     case TL_FIELD_FALLOFF: return read_falloff(at, field->name, value, to, err);
     case TL_FIELD_TABLE: return read_table(at, field->name, value, set, to, err);
     case TL_FIELD_IMAGE: return tl_light_image_read(at, field->name, value, set, to, err);
+    case TL_FIELD_FLAG: return read_flag(at, field->name, value, to, err);
     case TL_FIELD_NAME: break;
     }
     return read_name(at, field->name, value, to, err);
@@ -138,7 +137,7 @@ static tl_status read_member(const tl_place *at,
                            at->source, at->inside, tl_light_type_words[light->type], key);
         return read_field(at, field, value, set, light, err);
     }
-    return check_later(at, key, value, err);
+    return check_later(at, key, err);
 }
 
 static tl_status read_light(const char *source,

@@ -86,6 +86,8 @@ static void print_field(writing *w, const tl_light_field *field, const tl_light 
         print_table(out, &w->set->tables[light->table - 1]);
     else if (field->kind == TL_FIELD_IMAGE)
         print_image(w, light->texture);
+    else if (field->kind == TL_FIELD_FLAG)
+        fputs(*(const uint32_t *)(const void *)at ? "true" : "false", out);
     else if (field->kind == TL_FIELD_FALLOFF)
         fprintf(out, "\"%s\"", tl_falloff_words[*(const tl_falloff *)(const void *)at]);
     else
@@ -102,6 +104,7 @@ static size_t field_size(tl_field_kind kind)
         [TL_FIELD_NAME] = 1, /* empty or not */
         [TL_FIELD_TABLE] = sizeof(uint32_t),
         [TL_FIELD_IMAGE] = sizeof(uint32_t),
+        [TL_FIELD_FLAG] = sizeof(uint32_t),
     };
     return sizes[kind];
 }

@@ -79,6 +79,7 @@ typedef struct tl_light {
     uint32_t texture;
     /* unit, world space: which way the top of the texture is; 0 0 0: the default, docs/conventions.md */
     float up[3];
+    uint32_t casts_shadow; /* 1: surfaces stand in its way, where a G-buffer has a map of it */
     char name[64]; /* for messages; may be empty */
 } tl_light;
 
