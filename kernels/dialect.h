@@ -139,6 +139,8 @@ TL_INLINE int any_lane(mask which)
 typedef TL_GLOBAL const float *tl_numbers;
 #    define NUMBER_AT(from, i) (from)[i]
 #    define GATHER(from, i) TO_REAL((TL_LANES(float))(EACH_LANE(NUMBER_AT, from, i)))
+#    define WORD_AT(from, i) ((TL_GLOBAL const uint *)(from))[i]
+#    define GATHER_WORDS(from, i) ((word32)(EACH_LANE(WORD_AT, from, i)))
 
 /* From and to memory of any alignment: vloadN asks for none, a cast pointer would. LOAD widens
  * floats where real is double. */
@@ -225,6 +227,12 @@ TL_INLINE word32 REAL_AS_WORD(real x)
 #    define TL_GLOBAL
 typedef TL_GLOBAL const float *tl_numbers;
 #    define GATHER(from, i) ((real)(from)[i])
+TL_INLINE word32 GATHER_WORDS(tl_numbers from, integer i)
+{
+    word32 w;
+    memcpy(&w, from + i, sizeof w);
+    return w;
+}
 #    define FIRST_LANE(i) (i)
 #    define EACH_LANE(F, a, i) F(a, i)
 

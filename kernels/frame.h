@@ -119,9 +119,29 @@ typedef struct tl_view_shape {
     tl_u32 table_at;  /* row of the buffer where the table begins */
     /* index of the last of its numbers, at the range; `fade` is that over the range */
     tl_u32 table_last;
-    tl_u32 reserved; /* 0 */
+    tl_u32 shadow_at; /* row of the buffer where its tl_view_shadow is; 0: nothing stands in its way */
 } tl_view_shape;
 TL_STATIC_ASSERT(sizeof(tl_view_shape) == 80, view_shape_is_five_rows);
+
+/* The shadow map of a light in the buffer of lights, and how a surface finds its place in it: shadow.h.
+ * right, down and ahead are directions in view space: of a spot's map unit ones; of a cube's map the axes
+ * of the world; of a parallel one scaled, so that a position's product with them, and _at, are texels and
+ * stored depth. */
+typedef struct tl_view_shadow {
+    float right[3], right_at; /* texels from the view's left edge: of what is straight ahead */
+    float down[3], down_at;   /* texels from its upper edge */
+    float ahead[3], ahead_at; /* ahead_at: of parallel maps; else 0 */
+    tl_u32 kind;              /* TL_SHADOW_SPOT and its like */
+    tl_u32 texels_at;         /* row of the buffer: [views][size][size] of depth and slopes */
+    tl_u32 size;              /* texels, each way */
+    tl_u32 filter;            /* width of what visibility is the mean over, texels */
+    float scale;              /* texels per right/ahead, of perspective maps */
+    float near;               /* m, of them: what stored depths are shares of */
+    float slope_x, slope_y;   /* of a plane's depth per texel: of right.n/facing, down.n/facing */
+    /* m that a surface may lie off its place, with its depth d: slack + d (per_depth + d per_depth2) */
+    float slack, slack_per_depth, slack_per_depth2, unused;
+} tl_view_shadow;
+TL_STATIC_ASSERT(sizeof(tl_view_shadow) == 96, view_shadow_is_six_rows);
 
 /* A sky that is not of one colour: sky.h. */
 typedef struct tl_view_sky {

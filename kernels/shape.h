@@ -1,4 +1,5 @@
-/* Lights with more to them: falloff by a table, a picture that they shine through, an ambient lobe.
+/* Lights with more to them: falloff by a table, a picture that they shine through, an ambient lobe, a shadow
+ * map.
  *
  * What few lights have stands apart from the rest, in a tl_view_shape behind the lights, and the light says
  * where by its `falloff`. Such a light is lit by the code here, one after another, and adds up in index order
@@ -8,11 +9,13 @@
  *            (texture.h), per channel.
  *   ambient  weight color albedo occlusion, without n.l: Policarpo and Fonseca, "Deferred Shading
  *            Tutorial" (2005), table 1, give every light an ambient colour. It counts where the light
- *            reaches, in cone and range, whatever the normal. */
+ *            reaches, in cone and range, whatever the normal.
+ *   shadow   what arrives, of every lobe, is the share that nothing stands before (shadow.h). */
 #ifndef TL_SHAPE_H
 #define TL_SHAPE_H
 
 #include "light.h"
+#include "shadow.h"
 #include "texture.h"
 
 /* The shape of a light that has one. lights: the buffer. */
@@ -65,6 +68,23 @@ TL_INLINE vec3 tint_of(tl_needs needs, tl_numbers numbers, tl_view_shape shape, 
     return map_around(numbers, shape.map, from);
 }
 
+/* What arrives of a light that has this shape: its weight, or less. */
+TL_INLINE real unshadowed(tl_needs needs,
+                          tl_numbers numbers,
+                          tl_view_shape shape,
+                          surface s,
+                          vec3 l,
+                          approach a,
+                          arrival from)
+{
+    const mask facing = a.facing > R(0.0);
+    const mask counts = (needs.shapes & TL_SHAPE_AMBIENT) ? from.lit : from.lit & facing;
+    if (!(needs.shapes & TL_SHAPE_SHADOW) || shape.shadow_at == 0 || !any_lane(counts))
+        return from.weight;
+    return from.weight * unshadowed_share(numbers, shadow_behind(numbers, shape.shadow_at), s,
+                                          l, from.distance, a.facing);
+}
+
 /* As add_ranged_light and add_global_light, of a light that has this shape. */
 TL_INLINE received add_shaped_light(received sum,
                                     tl_needs needs,
@@ -94,6 +114,7 @@ TL_INLINE received add_shaped_light(received sum,
     from.weight = shaped_fade(needs, numbers, shape, light, is_global, a.distance2,
                               from.distance, from.per_distance);
     from = through_cone(from, needs, spot, l, a.distance2);
+    from.weight = unshadowed(needs, numbers, shape, s, l, a, from);
     vec3 ambient = lanes_of(shape.ambient);
     if ((needs.shapes & (TL_SHAPE_PROJECTED | TL_SHAPE_AROUND)) && shape.map.pixels_at != 0) {
         const vec3 tint = tint_of(needs, numbers, shape, l);

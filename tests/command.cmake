@@ -3,6 +3,16 @@ pkg_check_modules(JANSSON REQUIRED IMPORTED_TARGET jansson)
 
 tl_test(test_capture_unlit raster tl_raster tl_lighting)
 tl_test(test_command_promise command tl_base PkgConfig::JANSSON)
+
+# Rays that shadow maps are held against.
+find_package(embree 3 CONFIG REQUIRED)
+add_library(tl_rays STATIC rays/ray_scene.c)
+target_include_directories(tl_rays PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}
+                           PRIVATE ${PROJECT_SOURCE_DIR}/raster/model ${PROJECT_SOURCE_DIR}/raster/gltf)
+target_link_libraries(tl_rays PUBLIC tl_raster PRIVATE embree m)
+tl_test(test_shadow_rays raster tl_rays tl_reference tl_files)
+tl_test(test_shadow_lit device tl_raster tl_lighting tl_files)
+
 tl_test(test_command_usage command tl_base)
 tl_test(test_command_frames command tl_files PkgConfig::JANSSON)
 tl_test(test_same_processes command tl_base)

@@ -2,6 +2,7 @@
 tl_oracle_test(test_tile_rect unit tl_light_cases)
 tl_oracle_test(test_spot_culling unit tl_light_cases)
 tl_test(test_sections unit tl_frame)
+tl_test(test_shadow_formulas unit tl_frame)
 tl_test(test_brdf_table unit tl_frame)
 tl_test(test_specular_rounding unit tl_frame)
 target_compile_options(test_specular_rounding PRIVATE -Wno-double-promotion)

@@ -7,6 +7,7 @@ function(tl_exr_test name)
     target_include_directories(${name} SYSTEM PRIVATE ${OPENEXR_INCLUDE_DIRS})
 endfunction()
 
+tl_test(test_file_shadows unit tl_files)
 tl_test(test_file_gbuffer_round_trip unit tl_files)
 tl_exr_test(test_file_gbuffer_standard)
 tl_exr_test(test_file_words)

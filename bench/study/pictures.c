@@ -38,6 +38,10 @@ tl_study_needs tl_study_needs_of(const tl_study_frame *frame, const tl_device *d
                             .has_double = tl_device_describe(device).has_double};
     const uint32_t gloss = TL_GROUP_PHONG | TL_GROUP_METAL_ROUGH;
     for (size_t i = 0; i < frame->lights.count; i++)
+        needs.has_shadows |= frame->lights.lights[i].casts_shadow &&
+                             tl_shadow_map_of(&frame->gbuffer->shadows,
+                                              &frame->lights.lights[i]) != NULL;
+    for (size_t i = 0; i < frame->lights.count; i++)
         needs.has_highlights |=
             (needs.present & gloss) && frame->lights.lights[i].specular > 0.0f;
     for (size_t i = 0; i < frame->lights.count; i++)

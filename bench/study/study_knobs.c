@@ -21,18 +21,22 @@ const char *const tl_study_cause_meanings[] = {TL_STUDY_CAUSES(CAUSE_MEANING)};
 #define ROW_WORD(name, word, traits, off, meaning, source) "," word
 
 /* A knob of the kernels; its first row is the exact one. */
-#define APPROXIMATION(knob, flag, word, first, rows, kind, kinds, said)        \
-    [TL_STUDY_KNOB_APPROXIMATIONS + knob] = {                                  \
-        .name = word,                                                          \
-        .meaning = said,                                                       \
-        .trades = "how near a form is to what it stands for, for operations",  \
-        .cause = TL_STUDY_APPROXIMATION,                                       \
-        .usual = first,                                                        \
-        .exact = first,                                                        \
-        .alone = "all",                                                        \
-        .all = ALL(rows(ROW_WORD)),                                            \
-        .axis = TL_AXIS_KNOBS + knob,                                          \
-        .fits = fits_approximations},
+#define APPROXIMATION(knob, flag, word, first, rows, kind, kinds, said)                \
+    [TL_STUDY_KNOB_APPROXIMATIONS +                                                    \
+        knob] = {.name = word,                                                         \
+                 .meaning = said,                                                      \
+                 .trades = "how near a form is to what it stands for, for operations", \
+                 .cause = TL_STUDY_APPROXIMATION,                                      \
+                 .usual = first,                                                       \
+                 .exact = first,                                                       \
+                 .alone = "all",                                                       \
+                 .all = ALL(rows(ROW_WORD)),                                           \
+                 .axis = TL_AXIS_KNOBS + knob,                                         \
+                 .fits = fits_approximations},
+
+#define TEXT_OF(number) #number
+#define TEXT_OF_VALUE(number) TEXT_OF(number)
+#define DEFAULT_FILTER TEXT_OF_VALUE(TL_DEFAULT_SHADOW_FILTER)
 
 static tl_status set_cutoff(tl_study_config *config, const char *word, tl_error *err)
 {
@@ -74,11 +78,23 @@ static int has_endless(const tl_study_needs *needs, const tl_study_config *confi
     return needs->has_endless || config->cutoff == 0.0;
 }
 
+static tl_status set_filter(tl_study_config *config, const char *word, tl_error *err)
+{
+    return tl_word_integer("--knob shadow-filter", word, 1, TL_MOST_SHADOW_FILTER,
+                           &config->of.lighting.shadow_filter, err);
+}
+
+static int has_shadows(const tl_study_needs *needs, const tl_study_config *config)
+{
+    return needs->has_shadows || config->of.lighting.shadow_filter == TL_DEFAULT_SHADOW_FILTER;
+}
+
 /* Those of highlights are for frames that have some; and some are not there in double. */
 static int fits_approximations(const tl_study_needs *needs, const tl_study_config *config)
 {
     const tl_approximations *of = &config->of.lighting.approximations;
-    return (needs->has_highlights || (of->of[TL_KNOB_POWER] == 0 && of->of[TL_KNOB_FORM] == 0)) &&
+    return (needs->has_highlights ||
+            (of->of[TL_KNOB_POWER] == 0 && of->of[TL_KNOB_FORM] == 0)) &&
            (config->of.lighting.precision != TL_PRECISION_DOUBLE ||
             tl_approximations_have(of, TL_KNOB_DOUBLE));
 }
@@ -144,8 +160,20 @@ const tl_study_knob tl_study_knobs[TL_STUDY_KNOB_COUNT] = {
                               .axis = -1,
                               .set = set_cutoff,
                               .fits = has_endless},
-    TL_KNOBS(APPROXIMATION)
-    [TL_STUDY_KNOB_CULL] =
+    [TL_STUDY_KNOB_FILTER] = {.name = "shadow-filter",
+                              .meaning = "width of shadows' edges, texels of their maps",
+                              .trades = "steps of a shadow's edge for texels to look up, the "
+                                        "square of the width and one; errors are what edges "
+                                        "of another width differ by",
+                              .cause = TL_STUDY_APPROXIMATION,
+                              .usual = DEFAULT_FILTER,
+                              .exact = DEFAULT_FILTER,
+                              .alone = "1,3,5,9",
+                              .quick = "1,5",
+                              .axis = -1,
+                              .set = set_filter,
+                              .fits = has_shadows},
+    TL_KNOBS(APPROXIMATION)[TL_STUDY_KNOB_CULL] =
         {.name = "cull",
          .meaning = "which lights a tile computes",
          .trades = "nothing: a light that is left out reaches no pixel of the tile",

@@ -49,6 +49,7 @@ typedef enum tl_study_knob_name {
     TL_STUDY_KNOB_PRECISION,
     TL_STUDY_KNOB_WIDTH,
     TL_STUDY_KNOB_CUTOFF,
+    TL_STUDY_KNOB_FILTER,
     TL_STUDY_KNOB_APPROXIMATIONS, /* one for each of kernels/knobs.h, from here on */
     TL_STUDY_KNOB_CULL = TL_STUDY_KNOB_APPROXIMATIONS + TL_KNOB_COUNT,
     TL_STUDY_KNOB_TILE,
@@ -71,6 +72,7 @@ typedef struct tl_study_needs {
     uint32_t present;   /* planes, bits 1 << plane */
     int has_endless;    /* some light has no range, and is no directional one */
     int has_highlights; /* some light and some material */
+    int has_shadows;    /* maps of lights that cast some */
     int has_double;     /* the device can */
 } tl_study_needs;
 

@@ -10,13 +10,13 @@
 #include <string.h>
 
 typedef struct capture_command {
-    const char *scene, *output, *lights_out;
+    const char *scene, *output, *lights, *lights_out;
     tl_capture_options capture;
     bool strict;
     report_options report;
 } capture_command;
 
-enum { OPTION_LIGHTS_OUT = 256 };
+enum { OPTION_LIGHTS_OUT = 256, OPTION_LIGHTS };
 
 static void check_together(const capture_command *options, struct argp_state *state)
 {
@@ -41,6 +41,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         output_kind(state, "-o", text, OUTPUT_EXR);
         options->output = text;
         return 0;
+    case OPTION_LIGHTS: options->lights = text; return 0;
     case OPTION_LIGHTS_OUT:
         output_kind(state, "--lights-out", text, OUTPUT_JSON | OUTPUT_STANDARD);
         options->lights_out = text;
@@ -52,6 +53,10 @@ static error_t parse(int key, char *text, struct argp_state *state)
 
 static const struct argp_option options_table[] = {
     {"output", 'o', "G.exr", 0, "The G-buffer; the scene's lights stand inside it too", 1},
+    {"lights", OPTION_LIGHTS, "L.json", 0,
+     "Lights from a file (- is standard input) in place of the scene's own: they go along, and "
+     "those that cast shadows get maps",
+     1},
     {"lights-out", OPTION_LIGHTS_OUT, "L.json", 0,
      "The scene's lights as a lights file (- is standard output)", 1},
     {0},
@@ -95,6 +100,7 @@ static tl_status run(job *j, const capture_command *options, tl_error *err)
     if (options->lights_out)
         TRY(output_check(options->lights_out, options->scene, err));
     TRY(job_begin(j, &options->report, err));
+    TRY(job_read_lights(j, options->lights, err));
     TRY(job_capture(j, options->scene, &options->capture, options->strict, err));
     TRY(write_files(j, options, err));
     TRY(job_finish(j, &options->report, err));

@@ -11,7 +11,9 @@ enum {
     OPTION_ANIMATION,
     OPTION_VARIANT,
     OPTION_SAMPLES,
-    OPTION_MATERIALS
+    OPTION_MATERIALS,
+    OPTION_SHADOWS,
+    OPTION_SHADOW_MEMORY
 };
 
 static const uint32_t anisotropies[] = {1, 2, 4, 8, TL_MAX_ANISOTROPY};
@@ -36,6 +38,11 @@ static error_t parse(int key, char *text, struct argp_state *state)
                                        sizeof sample_counts / sizeof sample_counts[0]);
         return 0;
     case OPTION_MATERIALS: options->materials = true; return 0;
+    case OPTION_SHADOWS: options->all_shadows = true; return 0;
+    case OPTION_SHADOW_MEMORY:
+        options->shadow_memory =
+            (uint64_t)(value_number(state, "--shadow-memory", text, 1.0, 1e6) * 1e6);
+        return 0;
     case OPTION_VARIANT: options->variant = text; return 0;
     case OPTION_LAYOUT: options->layout = value_layout(state, "--layout", text); return 0;
     case OPTION_ANISOTROPY:
@@ -62,6 +69,10 @@ static const struct argp_option options_table[] = {
      "Also the index of each pixel's material, for lights files with \"materials\", its "
      "tangent where there are any, and the materials' names",
      0},
+    {"shadows", OPTION_SHADOWS, NULL, 0,
+     "Shadow maps of all lights (default: of those of a lights file that have castsShadow)", 0},
+    {"shadow-memory", OPTION_SHADOW_MEMORY, "MB", 0,
+     "That all shadow maps may take: beyond, the largest are made smaller (default 268)", 0},
     {"time", OPTION_TIME, "SECONDS", 0,
      "The moment of an animation, at its end if it has ended before (default: the scene as "
      "the file has it, or 0 with --animation)",

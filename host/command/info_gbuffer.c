@@ -97,6 +97,38 @@ static void print_materials(const tl_material_names *names)
     }
 }
 
+static void print_shadows(const tl_shadow_maps *maps)
+{
+    static const double metre = 1.0;
+    if (maps->count > 0)
+        printf("%-12s %6s %7s %10s %9s %12s\n", "shadow map", "views", "texels", "texel, mm",
+               "covered", "slack, mm");
+    for (uint32_t i = 0; i < maps->count; i++) {
+        const tl_shadow_map *map = &maps->of[i];
+        printf("%-12s %6u %7u %10.3g %7.2f %% %12.3g\n", tl_shadow_kind_words[map->kind],
+               tl_shadow_view_count(map), map->size, 1e3 * tl_shadow_texel_width(map, metre),
+               100.0 * tl_shadow_coverage(map), 1e3 * (double)map->slack);
+    }
+    if (maps->count > 0)
+        puts("(a texel of a map that is no directional one: 1 m away)");
+}
+
+static json_t *shadows_json(const tl_shadow_maps *maps)
+{
+    json_t *out = json_array();
+    for (uint32_t i = 0; i < maps->count; i++) {
+        const tl_shadow_map *map = &maps->of[i];
+        json_array_append_new(
+            out, json_pack("{ss si si sf sf sf so so}", "kind", tl_shadow_kind_words[map->kind],
+                           "views", (int)tl_shadow_view_count(map), "size", (int)map->size,
+                           "texel_m", tl_shadow_texel_width(map, 1.0), "coverage",
+                           tl_shadow_coverage(map), "slack_m", (double)map->slack, "position",
+                           tl_json_numbers(map->position, 3), "direction",
+                           tl_json_numbers(map->direction, 3)));
+    }
+    return out;
+}
+
 static json_t *materials_json(const tl_material_names *names)
 {
     json_t *out = json_array();
@@ -121,6 +153,7 @@ void info_print_gbuffer(const info_gbuffer *of)
         info_print_values(planes[p].channel, &values);
     }
     print_materials(&of->file->materials);
+    print_shadows(&of->file->shadows);
     if (of->has_lights)
         info_print_lights(of->lights);
     else
@@ -168,11 +201,12 @@ json_t *info_gbuffer_json(const info_gbuffer *of)
         const info_values values = measure(g, p);
         json_object_set_new(measured, planes[p].channel, info_values_json(&values));
     }
-    return json_pack("{ss s[ii] si sf ss si so so so so so}", "kind", "gbuffer", "size",
+    return json_pack("{ss s[ii] si sf ss si so so so so so so}", "kind", "gbuffer", "size",
                      (int)g->camera.width, (int)g->camera.height, "samples", (int)g->samples,
                      "coverage", coverage(g), "layout", tl_layout_word(of->file->layout),
                      "bytes_per_pixel", (int)tl_gbuffer_pixel_size(of->file), "channels",
                      channels_json(of->file), "camera", camera_json(&g->camera), "planes",
-                     measured, "materials", materials_json(&of->file->materials), "lights",
+                     measured, "materials", materials_json(&of->file->materials), "shadows",
+                     shadows_json(&of->file->shadows), "lights",
                      of->has_lights ? info_lights_json(of->lights) : json_null());
 }

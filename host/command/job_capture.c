@@ -8,9 +8,14 @@ tl_status job_capture(
 {
     tl_status status = TL_OK;
     tl_light_set found = {0};
+    tl_capture_options with_shadows = *options;
 
     console_stage("capturing");
-    TRY(tl_capture(scene, options, &j->gbuffer, &found, &j->timings, &console_notices, err));
+    for (size_t i = 0; options->all_shadows && i < j->lights.count; i++)
+        j->lights.lights[i].casts_shadow = 1;
+    if (j->lights_given)
+        with_shadows.shadow_lights = &j->lights;
+    TRY(tl_capture(scene, &with_shadows, &j->gbuffer, &found, &j->timings, &console_notices, err));
     if (!j->lights_given) {
         j->lights = found;
         found = (tl_light_set){0};

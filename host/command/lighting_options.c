@@ -16,7 +16,8 @@ enum {
     OPTION_CUTOFF,
     OPTION_MEMORY,
     OPTION_PATH,
-    OPTION_EFFECTS
+    OPTION_EFFECTS,
+    OPTION_FILTER
 };
 
 #define WORD(name, word, meaning) [name] = word,
@@ -72,6 +73,10 @@ static error_t parse(int key, char *text, struct argp_state *state)
         choice->chosen = "--light-cutoff";
         options->light_cutoff = (float)value_number(state, "--light-cutoff", text, 0.0, 1e30);
         return 0;
+    case OPTION_FILTER:
+        options->shadow_filter =
+            value_integer(state, "--shadow-filter", text, 1, TL_MOST_SHADOW_FILTER);
+        return 0;
     case OPTION_MEMORY:
         options->memory_limit =
             (uint64_t)(value_number(state, "--memory", text, 0.0, 1e9) * 1e6);
@@ -110,6 +115,10 @@ static const struct argp_option options_table[] = {
      "Vector lanes of the kernels: 1, 4, 8 or 16 (default: what suits the device)", 0},
     {"light-cutoff", OPTION_CUTOFF, "LUX", 0,
      "A light without a range ends where it gives this much (default 0: never)", 0},
+    {"shadow-filter", OPTION_FILTER, "TEXELS", 0,
+     "Width of a shadow's edge, in texels of its map: 1 to 13 (default 2); time grows with its "
+     "square",
+     0},
     {"memory", OPTION_MEMORY, "MB", 0,
      "Device memory that lighting may take beside the frame itself; a frame that needs more is "
      "lit in bands, with the same bits (default 0: what the device has)",

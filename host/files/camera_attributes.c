@@ -63,6 +63,7 @@ static exr_attr_m44f_t padded_view(const tl_camera *camera)
 }
 
 tl_status tl_camera_attributes_write(tl_exr_stream *stream,
+                                     int part,
                                      const tl_camera *camera,
                                      tl_error *err)
 {
@@ -76,14 +77,14 @@ tl_status tl_camera_attributes_write(tl_exr_stream *stream,
     frustum.max.x = camera->right;
     frustum.max.y = camera->top;
     const exr_result_t results[] = {
-        exr_attr_set_m44f(context, 0, "worldToCamera", &to_camera),
-        exr_attr_set_m44f(context, 0, "worldToNDC", &to_ndc),
-        exr_attr_set_string(context, 0, "tilelight:projection",
+        exr_attr_set_m44f(context, part, "worldToCamera", &to_camera),
+        exr_attr_set_m44f(context, part, "worldToNDC", &to_ndc),
+        exr_attr_set_string(context, part, "tilelight:projection",
                             projection_words[camera->projection]),
-        exr_attr_set_box2f(context, 0, "tilelight:frustum", &frustum),
-        exr_attr_set_float(context, 0, "tilelight:near", camera->near),
-        exr_attr_set_float(context, 0, "tilelight:far", camera->far),
-        exr_attr_set_m44f(context, 0, "tilelight:viewFromWorld", &view),
+        exr_attr_set_box2f(context, part, "tilelight:frustum", &frustum),
+        exr_attr_set_float(context, part, "tilelight:near", camera->near),
+        exr_attr_set_float(context, part, "tilelight:far", camera->far),
+        exr_attr_set_m44f(context, part, "tilelight:viewFromWorld", &view),
     };
     for (size_t i = 0; i < sizeof results / sizeof results[0]; i++)
         if (results[i] != EXR_ERR_SUCCESS)
@@ -104,13 +105,13 @@ static tl_status expect(const tl_exr_stream *stream,
                    name, type);
 }
 
-static tl_status read_projection(tl_exr_stream *stream, tl_projection *out, tl_error *err)
+static tl_status read_projection(tl_exr_stream *stream, int part, tl_projection *out, tl_error *err)
 {
     tl_status status = TL_OK;
     const char *word = NULL;
     int32_t length;
     TRY(expect(stream,
-               exr_attr_get_string(stream->context, 0, "tilelight:projection", &length, &word),
+               exr_attr_get_string(stream->context, part, "tilelight:projection", &length, &word),
                "string", "tilelight:projection", err));
     for (int i = 0; i < PROJECTION_COUNT; i++)
         if (strcmp(word, projection_words[i]) == 0) {
@@ -125,8 +126,12 @@ done:
     return status;
 }
 
-tl_status tl_camera_attributes_read(
-    tl_exr_stream *stream, uint32_t width, uint32_t height, tl_camera *out, tl_error *err)
+tl_status tl_camera_attributes_read(tl_exr_stream *stream,
+                                    int part,
+                                    uint32_t width,
+                                    uint32_t height,
+                                    tl_camera *out,
+                                    tl_error *err)
 {
     tl_status status = TL_OK;
     const exr_context_t context = stream->context;
@@ -135,14 +140,14 @@ tl_status tl_camera_attributes_read(
     exr_attr_m44f_t view;
     tl_error reason;
 
-    TRY(read_projection(stream, &camera.projection, err));
-    TRY(expect(stream, exr_attr_get_box2f(context, 0, "tilelight:frustum", &frustum), "box2f",
+    TRY(read_projection(stream, part, &camera.projection, err));
+    TRY(expect(stream, exr_attr_get_box2f(context, part, "tilelight:frustum", &frustum), "box2f",
                "tilelight:frustum", err));
-    TRY(expect(stream, exr_attr_get_float(context, 0, "tilelight:near", &camera.near), "float",
+    TRY(expect(stream, exr_attr_get_float(context, part, "tilelight:near", &camera.near), "float",
                "tilelight:near", err));
-    TRY(expect(stream, exr_attr_get_float(context, 0, "tilelight:far", &camera.far), "float",
+    TRY(expect(stream, exr_attr_get_float(context, part, "tilelight:far", &camera.far), "float",
                "tilelight:far", err));
-    TRY(expect(stream, exr_attr_get_m44f(context, 0, "tilelight:viewFromWorld", &view), "m44f",
+    TRY(expect(stream, exr_attr_get_m44f(context, part, "tilelight:viewFromWorld", &view), "m44f",
                "tilelight:viewFromWorld", err));
     camera.left = frustum.min.x;
     camera.bottom = frustum.min.y;

@@ -16,14 +16,19 @@ exr_attr_m44f_t tl_world_to_camera(const tl_camera *camera);
  * (1, 1) the lower right; z is 0 on the near plane and 1 on the far plane, where far is finite. */
 exr_attr_m44f_t tl_world_to_ndc(const tl_camera *camera);
 
-/* Sets the attributes of part 0. Fails with TL_ERR_MEMORY. */
+/* Sets the attributes of a part. Fails with TL_ERR_MEMORY. */
 tl_status tl_camera_attributes_write(tl_exr_stream *stream,
+                                     int part,
                                      const tl_camera *camera,
                                      tl_error *err);
 
 /* Reads them back, bit for bit, and checks them. Fails with TL_ERR_FORMAT, naming the attribute, or
  * TL_ERR_UNSUPPORTED. */
-tl_status tl_camera_attributes_read(
-    tl_exr_stream *stream, uint32_t width, uint32_t height, tl_camera *out, tl_error *err);
+tl_status tl_camera_attributes_read(tl_exr_stream *stream,
+                                    int part,
+                                    uint32_t width,
+                                    uint32_t height,
+                                    tl_camera *out,
+                                    tl_error *err);
 
 #endif

@@ -22,6 +22,7 @@ enum { ZIP_LEVEL = 4 };
 typedef struct encoding {
     tl_exr_writer *writer;
     const tl_exr_picture *picture;
+    int part;
     int lines;             /* per chunk */
     int chunk_count;       /* in the file */
     size_t computed_count; /* of the picture's channels */
@@ -42,6 +43,50 @@ typedef struct encoder {
         *computed; /* [computed][lines][width][WIDEST]; NULL where nothing is computed */
 } encoder;
 
+tl_status tl_exr_writer_open(tl_exr_writer *writer, const char *path, tl_error *err)
+{
+    tl_status status = TL_OK;
+    *writer = (tl_exr_writer){.stream.context = NULL};
+    TRY(tl_atomic_file_begin(&writer->file, path, err));
+    TRY(tl_exr_stream_write(&writer->stream, path, writer->file.descriptor, ZIP_LEVEL, err));
+done:
+    if (status != TL_OK)
+        tl_exr_writer_abandon(writer);
+    return status;
+}
+
+/* OpenEXR's files have one display window for all their parts. */
+static exr_result_t share_display(exr_context_t context, int part)
+{
+    exr_attr_box2i_t display;
+    const exr_result_t result = exr_get_display_window(context, 0, &display);
+    return result == EXR_ERR_SUCCESS ? exr_set_display_window(context, part, &display) : result;
+}
+
+tl_status tl_exr_writer_add(tl_exr_writer *writer,
+                            const char *name,
+                            uint32_t width,
+                            uint32_t height,
+                            exr_compression_t compression,
+                            tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_exr_stream *stream = &writer->stream;
+    int part;
+    TRY(tl_exr_check(stream, exr_add_part(stream->context, name, EXR_STORAGE_SCANLINE, &part),
+                     err));
+    TRY(tl_exr_check(stream,
+                     exr_initialize_required_attr_simple(stream->context, part, (int32_t)width,
+                                                         (int32_t)height, compression),
+                     err));
+    if (part > 0)
+        TRY(tl_exr_check(stream, share_display(stream->context, part), err));
+done:
+    if (status != TL_OK)
+        tl_exr_writer_abandon(writer);
+    return status;
+}
+
 tl_status tl_exr_writer_begin(tl_exr_writer *writer,
                               const char *path,
                               uint32_t width,
@@ -49,22 +94,10 @@ tl_status tl_exr_writer_begin(tl_exr_writer *writer,
                               exr_compression_t compression,
                               tl_error *err)
 {
-    tl_status status = TL_OK;
-    tl_exr_stream *stream = &writer->stream;
-    int part;
-    *writer = (tl_exr_writer){.stream.context = NULL};
-    TRY(tl_atomic_file_begin(&writer->file, path, err));
-    TRY(tl_exr_stream_write(stream, path, writer->file.descriptor, ZIP_LEVEL, err));
-    TRY(tl_exr_check(stream, exr_add_part(stream->context, NULL, EXR_STORAGE_SCANLINE, &part),
-                     err));
-    TRY(tl_exr_check(stream,
-                     exr_initialize_required_attr_simple(stream->context, part, (int32_t)width,
-                                                         (int32_t)height, compression),
-                     err));
-done:
+    const tl_status status = tl_exr_writer_open(writer, path, err);
     if (status != TL_OK)
-        tl_exr_writer_abandon(writer);
-    return status;
+        return status;
+    return tl_exr_writer_add(writer, NULL, width, height, compression, err);
 }
 
 static exr_result_t wait_for_turn(exr_encode_pipeline_t *pipeline)
@@ -137,18 +170,19 @@ static exr_result_t set_sources(encoder *own, uint32_t first_row)
 static exr_result_t prepare(encoder *own, uint32_t first_row)
 {
     const exr_context_t context = own->shared->writer->stream.context;
+    const int part = own->shared->part;
     exr_chunk_info_t info;
-    exr_result_t result = exr_write_scanline_chunk_info(context, 0, (int)first_row, &info);
+    exr_result_t result = exr_write_scanline_chunk_info(context, part, (int)first_row, &info);
     if (result != EXR_ERR_SUCCESS)
         return result;
-    result = own->is_ready ? exr_encoding_update(context, 0, &info, &own->pipeline)
-                           : exr_encoding_initialize(context, 0, &info, &own->pipeline);
+    result = own->is_ready ? exr_encoding_update(context, part, &info, &own->pipeline)
+                           : exr_encoding_initialize(context, part, &info, &own->pipeline);
     if (result == EXR_ERR_SUCCESS)
         result = set_sources(own, first_row);
     if (result != EXR_ERR_SUCCESS || own->is_ready)
         return result;
     own->is_ready = true;
-    result = exr_encoding_choose_default_routines(context, 0, &own->pipeline);
+    result = exr_encoding_choose_default_routines(context, part, &own->pipeline);
     own->pipeline.yield_until_ready_fn = wait_for_turn;
     own->pipeline.encoding_user_data = own;
     return result;
@@ -179,7 +213,7 @@ static void encode_chunks(void *context, size_t begin, size_t end)
         compute_rows(&own, first_row);
         result = prepare(&own, first_row);
         if (result == EXR_ERR_SUCCESS)
-            result = exr_encoding_run(file, 0, &own.pipeline);
+            result = exr_encoding_run(file, shared->part, &own.pipeline);
         if (result == EXR_ERR_SUCCESS)
             end_turn(shared, result);
     }
@@ -199,27 +233,37 @@ static exr_result_t allow_long_names(exr_context_t context, const tl_exr_picture
     return EXR_ERR_SUCCESS;
 }
 
-tl_status tl_exr_writer_pixels(tl_exr_writer *writer,
-                               const tl_exr_picture *picture,
-                               tl_error *err)
+static tl_status add_channels(tl_exr_stream *stream,
+                              int part,
+                              const tl_exr_picture *picture,
+                              tl_error *err)
 {
     tl_status status = TL_OK;
-    tl_exr_stream *stream = &writer->stream;
-    encoding shared = {.writer = writer, .picture = picture};
     TRY(tl_exr_check(stream, allow_long_names(stream->context, picture), err));
-    for (size_t i = 0; i < picture->channel_count; i++) {
-        shared.computed_count += picture->channels[i].plane == NULL;
+    for (size_t i = 0; i < picture->channel_count; i++)
         TRY(tl_exr_check(stream,
-                         exr_add_channel(stream->context, 0, picture->channels[i].name,
+                         exr_add_channel(stream->context, part, picture->channels[i].name,
                                          picture->channels[i].type,
                                          EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1),
                          err));
-    }
+done:
+    return status;
+}
+
+static tl_status encode(tl_exr_writer *writer,
+                        int part,
+                        const tl_exr_picture *picture,
+                        tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_exr_stream *stream = &writer->stream;
+    encoding shared = {.writer = writer, .picture = picture, .part = part};
+    for (size_t i = 0; i < picture->channel_count; i++)
+        shared.computed_count += picture->channels[i].plane == NULL;
     assert(shared.computed_count <= TL_EXR_MAX_COMPUTED);
-    TRY(tl_exr_check(stream, exr_write_header(stream->context), err));
-    TRY(tl_exr_check(stream, exr_get_scanlines_per_chunk(stream->context, 0, &shared.lines),
+    TRY(tl_exr_check(stream, exr_get_scanlines_per_chunk(stream->context, part, &shared.lines),
                      err));
-    TRY(tl_exr_check(stream, exr_get_chunk_count(stream->context, 0, &shared.chunk_count),
+    TRY(tl_exr_check(stream, exr_get_chunk_count(stream->context, part, &shared.chunk_count),
                      err));
     pthread_mutex_init(&shared.lock, NULL);
     pthread_cond_init(&shared.turned, NULL);
@@ -229,6 +273,29 @@ tl_status tl_exr_writer_pixels(tl_exr_writer *writer,
     TRY(tl_exr_check(stream, shared.result, err));
 done:
     return status;
+}
+
+tl_status tl_exr_writer_parts(tl_exr_writer *writer,
+                              const tl_exr_picture *pictures,
+                              int count,
+                              tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_exr_stream *stream = &writer->stream;
+    for (int part = 0; part < count; part++)
+        TRY(add_channels(stream, part, &pictures[part], err));
+    TRY(tl_exr_check(stream, exr_write_header(stream->context), err));
+    for (int part = 0; part < count; part++)
+        TRY(encode(writer, part, &pictures[part], err));
+done:
+    return status;
+}
+
+tl_status tl_exr_writer_pixels(tl_exr_writer *writer,
+                               const tl_exr_picture *picture,
+                               tl_error *err)
+{
+    return tl_exr_writer_parts(writer, picture, 1, err);
 }
 
 tl_status tl_exr_writer_commit(tl_exr_writer *writer, tl_error *err)

@@ -1,7 +1,9 @@
-/* Writes planes as one scanline part of an OpenEXR file, on all threads, atomically.
+/* Writes planes as scanline parts of an OpenEXR file, on all threads, atomically.
  *
  *     tl_exr_writer_begin, attributes through writer.stream.context (part 0),
- *     tl_exr_writer_pixels, tl_exr_writer_commit; tl_exr_writer_abandon whatever happened */
+ *     tl_exr_writer_pixels, tl_exr_writer_commit; tl_exr_writer_abandon whatever happened
+ *
+ * Of several parts: tl_exr_writer_open, tl_exr_writer_add for each, attributes, tl_exr_writer_parts. */
 #ifndef TL_EXR_WRITER_H
 #define TL_EXR_WRITER_H
 
@@ -46,7 +48,25 @@ tl_status tl_exr_writer_begin(tl_exr_writer *writer,
                               exr_compression_t compression,
                               tl_error *err);
 
-/* Writes the header, then the pixels: the same bytes whatever the number of threads. */
+/* The same without a part, and a part of it: parts count from 0 in the order in which they are added. name:
+ * NULL of a part that stays alone. The data window is (0, 0) to (width - 1, height - 1); so is the display
+ * window of the first, which all parts share. */
+tl_status tl_exr_writer_open(tl_exr_writer *writer, const char *path, tl_error *err);
+tl_status tl_exr_writer_add(tl_exr_writer *writer,
+                            const char *name,
+                            uint32_t width,
+                            uint32_t height,
+                            exr_compression_t compression,
+                            tl_error *err);
+
+/* Writes the header, then the pixels of each part: the same bytes whatever the number of threads.
+ * pictures: [parts]. */
+tl_status tl_exr_writer_parts(tl_exr_writer *writer,
+                              const tl_exr_picture *pictures,
+                              int count,
+                              tl_error *err);
+
+/* The same of a single part. */
 tl_status tl_exr_writer_pixels(tl_exr_writer *writer,
                                const tl_exr_picture *picture,
                                tl_error *err);

@@ -178,8 +178,8 @@ tl_status tl_gbuffer_header_read(tl_exr_reader *reader, tl_gbuffer_header *out, 
     tl_error reason = {.status = TL_OK};
     TRY(check_version(reader, err));
     TRY(read_layout(reader, &out->layout, err));
-    TRY(tl_camera_attributes_read(&reader->stream, reader->width, reader->height, &out->camera,
-                                  err));
+    TRY(tl_camera_attributes_read(&reader->stream, 0, reader->width, reader->height,
+                                  &out->camera, err));
     TRY(read_samples(reader, &out->samples, err));
     if (out->layout == TL_LAYOUT_FLOAT)
         TRY(find_planes(reader, &out->present, err));

@@ -4,6 +4,7 @@
 #include "material_attribute.h"
 #include "packing.h"
 #include "parallel.h"
+#include "shadow_parts.h"
 #include "try.h"
 
 #include <stdatomic.h>
@@ -141,6 +142,7 @@ tl_status tl_gbuffer_read(
     TRY(create(&reader, &promised, &made, err));
     TRY(tl_material_attribute_read(&reader, &made->materials, err));
     TRY(read_words(&reader, &promised, made, err));
+    TRY(tl_shadow_parts_read(&reader.stream, reader.part.file_size, &made->shadows, err));
 
     *out = made;
     made = NULL;

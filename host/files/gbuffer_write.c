@@ -5,6 +5,7 @@
 #include "gbuffer_preview.h"
 #include "material_attribute.h"
 #include "plane_channels.h"
+#include "shadow_parts.h"
 #include "try.h"
 #include "word_channels.h"
 
@@ -83,7 +84,7 @@ static tl_status set_attributes(tl_exr_stream *stream,
             stream,
             exr_attr_set_int(context, 0, "tilelight:samples", (int32_t)gbuffer->samples), err));
     TRY(tl_material_attribute_write(stream, &gbuffer->materials, err));
-    TRY(tl_camera_attributes_write(stream, &gbuffer->camera, err));
+    TRY(tl_camera_attributes_write(stream, 0, &gbuffer->camera, err));
     if (lights) {
         TRY(tl_lights_format(lights, stream->path, &text, err));
         TRY(tl_exr_check(stream, exr_attr_set_string(context, 0, "tilelight:lights", text),
@@ -134,6 +135,21 @@ static const exr_compression_t compressions[TL_COMPRESSION_COUNT] = {
     [TL_COMPRESSION_B44A] = EXR_COMPRESSION_B44A,
 };
 
+static tl_status join_pictures(const tl_exr_picture *shown,
+                               const tl_shadow_pictures *shadows,
+                               const char *path,
+                               tl_exr_picture **out,
+                               tl_error *err)
+{
+    *out = malloc((1 + (size_t)shadows->count) * sizeof **out);
+    if (!*out)
+        return tl_fail(err, TL_ERR_MEMORY, "%s: out of memory for its parts", path);
+    (*out)[0] = *shown;
+    for (uint32_t i = 0; i < shadows->count; i++)
+        (*out)[1 + i] = shadows->of[i];
+    return TL_OK;
+}
+
 tl_status tl_gbuffer_write_compressed(const char *path,
                                       const tl_gbuffer *gbuffer,
                                       const tl_light_set *lights,
@@ -142,26 +158,35 @@ tl_status tl_gbuffer_write_compressed(const char *path,
 {
     tl_status status = TL_OK;
     tl_exr_writer writer = {.stream.context = NULL};
+    tl_shadow_pictures shadows = {0};
+    tl_exr_picture *pictures = NULL;
     tl_word_channel words[TL_MAX_WORDS];
     tl_exr_channel channels[TL_PREVIEW_COUNT + TL_MAX_WORDS];
     source from = {.gbuffer = gbuffer,
                    .unpacking = tl_unpacking_of(gbuffer),
                    .joined.planes = tl_word_planes_of(gbuffer)};
-    const tl_exr_picture picture = {.width = gbuffer->camera.width,
-                                    .height = gbuffer->camera.height,
-                                    .pitch = gbuffer->pitch,
-                                    .channel_count = list_channels(&from, words, channels),
-                                    .channels = channels,
-                                    .compute = compute_rows,
-                                    .context = &from};
+    const exr_compression_t how = compressions[compression];
+    const tl_exr_picture shown = {.width = gbuffer->camera.width,
+                                  .height = gbuffer->camera.height,
+                                  .pitch = gbuffer->pitch,
+                                  .channel_count = list_channels(&from, words, channels),
+                                  .channels = channels,
+                                  .compute = compute_rows,
+                                  .context = &from};
 
-    TRY(tl_exr_writer_begin(&writer, path, picture.width, picture.height,
-                            compressions[compression], err));
+    TRY(tl_exr_writer_open(&writer, path, err));
+    /* A part that is alone needs no name. */
+    TRY(tl_exr_writer_add(&writer, gbuffer->shadows.count > 0 ? "surface" : NULL, shown.width,
+                          shown.height, how, err));
     TRY(set_attributes(&writer.stream, gbuffer, lights, err));
-    TRY(tl_exr_writer_pixels(&writer, &picture, err));
+    TRY(tl_shadow_parts_add(&writer, &gbuffer->shadows, how, &shadows, err));
+    TRY(join_pictures(&shown, &shadows, path, &pictures, err));
+    TRY(tl_exr_writer_parts(&writer, pictures, 1 + (int)shadows.count, err));
     TRY(tl_exr_writer_commit(&writer, err));
 done:
     tl_exr_writer_abandon(&writer);
+    tl_shadow_pictures_clear(&shadows);
+    free(pictures);
     return status;
 }
 

@@ -38,7 +38,8 @@ bool tl_effect_is_by_tile(tl_effect effect)
     static const uint32_t by_tile = 1u << TL_EFFECT_RANGED | 1u << TL_EFFECT_SPOTS |
                                     1u << TL_EFFECT_SPECULAR | 1u << TL_EFFECT_TABLE |
                                     1u << TL_EFFECT_PROJECTED | 1u << TL_EFFECT_AROUND |
-                                    1u << TL_EFFECT_AMBIENT_LOBE;
+                                    1u << TL_EFFECT_AMBIENT_LOBE |
+                                    1u << TL_EFFECT_SHADOWS;
     return (by_tile >> effect & 1u) != 0;
 }
 

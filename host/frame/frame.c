@@ -8,6 +8,7 @@
 #include "ranges.h"
 #include "scene_causes.h"
 #include "sections.h"
+#include "shadow_sections.h"
 #include "shapes.h"
 #include "spot_cone.h"
 #include "tile_choices.h"
@@ -143,12 +144,13 @@ static double brightness_of(const tl_light_set *set,
 }
 
 /* Light `source` of the set, unless it adds nothing. */
-static void add(const tl_camera *camera,
+static void add(const tl_gbuffer *gbuffer,
                 const tl_light_set *set,
                 uint32_t source,
                 const tl_prepare_options *options,
                 tl_prepared *prepared)
 {
+    const tl_camera *camera = &gbuffer->camera;
     tl_explanation *explanation = &prepared->explanation;
     const tl_light *light = &set->lights[source];
     const int global = is_global(light, options->light_cutoff);
@@ -162,6 +164,8 @@ static void add(const tl_camera *camera,
     const uint32_t before = explanation->causes;
     explanation->causes = 0;
     tl_causes_of_light(explanation, light, &v, source, global);
+    if (tl_shadow_of(gbuffer, light))
+        tl_cause_found(explanation, TL_CAUSE_SHADOW, source);
     prepared->two_colored_count += !is_idle && has_two_colors(&v);
     const uint32_t i = prepared->frame.light_count++;
     prepared->sources[i] = source;
@@ -173,7 +177,7 @@ static void add(const tl_camera *camera,
 }
 
 /* Lights in the order of the set, first the global ones, then the others. */
-static void collect(const tl_camera *camera,
+static void collect(const tl_gbuffer *gbuffer,
                     const tl_light_set *lights,
                     const tl_prepare_options *options,
                     int global,
@@ -181,7 +185,7 @@ static void collect(const tl_camera *camera,
 {
     for (size_t i = 0; i < lights->count; i++)
         if (is_global(&lights->lights[i], options->light_cutoff) == global)
-            add(camera, lights, (uint32_t)i, options, prepared);
+            add(gbuffer, lights, (uint32_t)i, options, prepared);
     if (global)
         prepared->frame.global_count = prepared->frame.light_count;
 }
@@ -292,6 +296,22 @@ static void tell_of_rows(const tl_gbuffer *gbuffer,
             "it with --materials");
 }
 
+/* Lights that ask for what the capture lacks. */
+static void tell_of_shadows(const tl_gbuffer *gbuffer,
+                            const tl_light_set *lights,
+                            const tl_notices *notices)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < lights->count; i++)
+        count += lights->lights[i].casts_shadow && !tl_shadow_of(gbuffer, &lights->lights[i]);
+    if (count > 0)
+        tl_notice(notices,
+                  "%zu light%s without the shadow%s asked for, for the capture has no map of "
+                  "%s: capture the scene with --shadows, or with these lights",
+                  count, count == 1 ? " is lit" : "s are lit", count == 1 ? "" : "s",
+                  count == 1 ? "it" : "them");
+}
+
 tl_status tl_prepare(const tl_gbuffer *gbuffer,
                      const tl_light_set *lights,
                      const tl_prepare_options *options,
@@ -312,10 +332,13 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
     prepared->brightness = 0.0;
     prepared->sections_size = 0;
     prepared->spots = (tl_view_spot *)(prepared->lights + lights->count);
-    collect(&gbuffer->camera, lights, options, 1, prepared);
-    collect(&gbuffer->camera, lights, options, 0, prepared);
+    collect(gbuffer, lights, options, 1, prepared);
+    collect(gbuffer, lights, options, 0, prepared);
     close_up(prepared);
-    TRY(tl_shapes_add(&gbuffer->camera, lights, prepared, err));
+    TRY(tl_shapes_add(gbuffer, lights,
+                      options->shadow_filter ? options->shadow_filter
+                                             : TL_DEFAULT_SHADOW_FILTER,
+                      prepared, err));
     TRY(tl_sky_add(&gbuffer->camera, lights, prepared, err));
     prepared->may_be_cut =
         prepared->brightness * (double)prepared->brightest_texel * TL_MOST_OF_LIGHT >
@@ -330,6 +353,7 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
         TRY(add_rows(prepared, &table, err));
     name_empty_cones(lights, notices);
     tell_of_rows(gbuffer, lights, &table, notices);
+    tell_of_shadows(gbuffer, lights, notices);
     if (options->effects != TL_EFFECTS_ALL)
         TRY(tl_choices_open(prepared, err));
     /* Sections may have moved while others were added. */

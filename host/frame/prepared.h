@@ -43,11 +43,13 @@ typedef struct tl_prepare_options {
     uint32_t box_count; /* tl_frame.box_count */
     float light_cutoff; /* tl_lighting_options.light_cutoff */
     tl_effects_mode effects;
+    uint32_t shadow_filter; /* tl_lighting_options.shadow_filter; 0: TL_DEFAULT_SHADOW_FILTER */
 } tl_prepare_options;
 
 /* Fills *prepared, growing its lights where they do not fit; all zero is a valid start. Lights that add
  * exactly nothing are not among them (explanation.idle_lights), unless all effects are asked for. Names
- * spots that light nothing, and materials that are for nothing, in a notice. Fails as tl_brdf_table_make
+ * spots that light nothing, materials that are for nothing, and lights that cast shadows of which there is no
+ * map, in a notice. Fails as tl_brdf_table_make
  * does, with TL_ERR_ARGUMENT (more than 2^31 lights, or sections that rows do not count) or
  * TL_ERR_MEMORY. */
 tl_status tl_prepare(const tl_gbuffer *gbuffer,

@@ -58,7 +58,7 @@ static uint32_t causes_of_rows(const tl_brdf_table *table)
 /* One-colour is no effect to assume: it is another order of rounding. */
 static const uint32_t assumable =
     TL_BY(TL_CAUSE_TABLE) | TL_BY(TL_CAUSE_PROJECTED) | TL_BY(TL_CAUSE_AROUND) |
-    TL_BY(TL_CAUSE_AMBIENT_LOBE) | TL_BY(TL_CAUSE_DIRECTIONAL) |
+    TL_BY(TL_CAUSE_AMBIENT_LOBE) | TL_BY(TL_CAUSE_SHADOW) | TL_BY(TL_CAUSE_DIRECTIONAL) |
     TL_BY(TL_CAUSE_INVERSE_SQUARE) | TL_BY(TL_CAUSE_LINEAR) | TL_BY(TL_CAUSE_LINEAR_FROM) |
     TL_BY(TL_CAUSE_HIGHLIGHT) | TL_BY(TL_CAUSE_CONE) | TL_BY(TL_CAUSE_AMBIENT);
 
@@ -137,7 +137,7 @@ static const tl_effect falloff_effects[TL_FADE_COUNT] = {
     [TL_FADE_TABLE] = TL_EFFECT_TABLE,
 };
 
-static void found(tl_explanation *explanation, tl_cause cause, uint32_t index)
+void tl_cause_found(tl_explanation *explanation, tl_cause cause, uint32_t index)
 {
     explanation->causes |= TL_BY(cause);
     note(&explanation->lights[cause], index);
@@ -149,17 +149,18 @@ void tl_causes_of_light(tl_explanation *explanation,
                         uint32_t index,
                         int is_global)
 {
-    found(explanation, is_global ? TL_CAUSE_GLOBAL : TL_CAUSE_RANGED, index);
-    found(explanation, falloff_causes[falloff_row(light->falloff)], index);
+    tl_cause_found(explanation, is_global ? TL_CAUSE_GLOBAL : TL_CAUSE_RANGED, index);
+    tl_cause_found(explanation, falloff_causes[falloff_row(light->falloff)], index);
     if (is_lit_by(light->specular))
-        found(explanation, TL_CAUSE_HIGHLIGHT, index);
+        tl_cause_found(explanation, TL_CAUSE_HIGHLIGHT, index);
     if (tl_spot_has_edge(from))
-        found(explanation, TL_CAUSE_CONE, index);
+        tl_cause_found(explanation, TL_CAUSE_CONE, index);
     if (from->texture > 0)
-        found(explanation, from->type == TL_LIGHT_SPOT ? TL_CAUSE_PROJECTED : TL_CAUSE_AROUND,
-              index);
+        tl_cause_found(explanation,
+                       from->type == TL_LIGHT_SPOT ? TL_CAUSE_PROJECTED : TL_CAUSE_AROUND,
+                       index);
     if (from->ambient > 0.0f) {
-        found(explanation, TL_CAUSE_AMBIENT_LOBE, index);
+        tl_cause_found(explanation, TL_CAUSE_AMBIENT_LOBE, index);
         explanation->causes |= TL_BY(TL_CAUSE_AMBIENT); /* what it dims, occlusion dims too */
     }
 }
@@ -198,6 +199,26 @@ tl_needs tl_needs_of_surfaces(const tl_gbuffer *gbuffer, const tl_brdf_table *ta
                       .models = table->models};
 }
 
+static const struct {
+    tl_effect effect;
+    tl_u32 shape;
+} shapes[] = {
+    {TL_EFFECT_TABLE, TL_SHAPE_TABLE},    {TL_EFFECT_PROJECTED, TL_SHAPE_PROJECTED},
+    {TL_EFFECT_AROUND, TL_SHAPE_AROUND},  {TL_EFFECT_AMBIENT_LOBE, TL_SHAPE_AMBIENT},
+    {TL_EFFECT_SHADOWS, TL_SHAPE_SHADOW},
+};
+
+/* Lights keep their shapes when all of their effects are taken out. */
+static tl_u32 shapes_of(const tl_explanation *e)
+{
+    tl_u32 on = 0, taken_out = 0;
+    for (size_t i = 0; i < sizeof shapes / sizeof shapes[0]; i++) {
+        on |= is_on(e, shapes[i].effect) ? shapes[i].shape : 0;
+        taken_out |= e->without >> shapes[i].effect & 1u;
+    }
+    return on == 0 && taken_out ? TL_SHAPE_BARE : on;
+}
+
 void tl_needs_by_causes(tl_explanation *e, tl_needs *needs)
 {
     e->effects = tl_effects_of(e->causes | e->assumed) & ~e->without;
@@ -209,10 +230,7 @@ void tl_needs_by_causes(tl_explanation *e, tl_needs *needs)
     needs->one_color = (tl_u32)is_on(e, TL_EFFECT_ONE_COLOR);
     needs->ambient = (tl_u32)is_on(e, TL_EFFECT_AMBIENT);
     needs->fixed_exponent = (tl_u32)is_on(e, TL_EFFECT_EXPONENT);
-    needs->shapes = (is_on(e, TL_EFFECT_TABLE) ? TL_SHAPE_TABLE : 0) |
-                    (is_on(e, TL_EFFECT_PROJECTED) ? TL_SHAPE_PROJECTED : 0) |
-                    (is_on(e, TL_EFFECT_AROUND) ? TL_SHAPE_AROUND : 0) |
-                    (is_on(e, TL_EFFECT_AMBIENT_LOBE) ? TL_SHAPE_AMBIENT : 0);
+    needs->shapes = shapes_of(e);
     needs->sky = is_on(e, TL_EFFECT_SKY_GRADIENT) ? TL_GRADIENT_SKY
                  : is_on(e, TL_EFFECT_SKY_IMAGE)  ? TL_IMAGE_SKY
                                                   : 0;

@@ -25,6 +25,9 @@ int tl_light_is_idle(tl_explanation *explanation,
                      uint32_t index,
                      int is_global);
 
+/* Notes that light `index` of the set, which is lit, is such a one. */
+void tl_cause_found(tl_explanation *explanation, tl_cause cause, uint32_t index);
+
 /* Notes what a light that is lit calls for; light.falloff is a row, not yet a shape. */
 void tl_causes_of_light(tl_explanation *explanation,
                         const tl_light *from,

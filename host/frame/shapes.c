@@ -4,6 +4,7 @@
 #include "largest.h"
 #include "map.h"
 #include "sections.h"
+#include "shadow_sections.h"
 #include "try.h"
 
 #include <math.h>
@@ -19,9 +20,10 @@ void tl_lobe_color(const tl_light_set *set, const tl_light *light, float lobe, f
     }
 }
 
-int tl_light_has_shape(const tl_light *light)
+int tl_light_has_shape(const tl_gbuffer *gbuffer, const tl_light *light)
 {
-    return light->table > 0 || light->texture > 0 || light->ambient > 0.0f;
+    return light->table > 0 || light->texture > 0 || light->ambient > 0.0f ||
+           tl_shadow_of(gbuffer, light) != NULL;
 }
 
 static double dot(const double a[3], const double b[3])
@@ -153,46 +155,52 @@ static tl_status add_table(const tl_light_set *lights,
 }
 
 /* Shape `index` of the section, of prepared light i. */
-static tl_status add_shape(const tl_camera *camera,
+static tl_status add_shape(const tl_gbuffer *gbuffer,
                            const tl_light_set *lights,
+                           uint32_t shadow_filter,
                            uint32_t i,
                            uint32_t index,
                            tl_prepared *prepared,
                            tl_error *err)
 {
     const tl_light *light = &lights->lights[prepared->sources[i]];
+    const tl_shadow_map *shadow = tl_shadow_of(gbuffer, light);
     tl_view_shape shape = {.falloff = prepared->lights[i].falloff};
     tl_status status = TL_OK;
     tl_lobe_color(lights, light, light->ambient, shape.ambient);
     if (light->table > 0)
         TRY(add_table(lights, light, prepared, &shape, err));
     if (light->texture > 0)
-        TRY(add_texture(camera, lights, light, prepared, &shape, err));
+        TRY(add_texture(&gbuffer->camera, lights, light, prepared, &shape, err));
+    if (shadow)
+        TRY(tl_shadow_section_add(gbuffer, shadow, shadow_filter, prepared, &shape.shadow_at,
+                                  err));
     ((tl_view_shape *)tl_section_at(prepared, prepared->frame.shapes_at))[index] = shape;
     prepared->lights[i].falloff = TL_FADE_COUNT + index;
 done:
     return status;
 }
 
-tl_status tl_shapes_add(const tl_camera *camera,
+tl_status tl_shapes_add(const tl_gbuffer *gbuffer,
                         const tl_light_set *lights,
+                        uint32_t shadow_filter,
                         tl_prepared *prepared,
                         tl_error *err)
 {
     tl_status status = TL_OK;
     uint32_t count = 0, index = 0;
     for (uint32_t i = 0; i < prepared->frame.light_count; i++)
-        count += (uint32_t)tl_light_has_shape(&lights->lights[prepared->sources[i]]);
+        count += (uint32_t)tl_light_has_shape(gbuffer, &lights->lights[prepared->sources[i]]);
     if (count == 0)
         return TL_OK;
     if (count > TL_BITS_OF_ONE - TL_FADE_COUNT)
-        return tl_fail(err, TL_ERR_ARGUMENT, "%u lights with textures, tables or ambient lobes",
-                       count);
+        return tl_fail(err, TL_ERR_ARGUMENT,
+                       "%u lights with textures, tables, ambient lobes or shadows", count);
     TRY(tl_section_add(prepared, count * sizeof(tl_view_shape), &prepared->frame.shapes_at,
                        NULL, err));
     for (uint32_t i = 0; i < prepared->frame.light_count; i++)
-        if (tl_light_has_shape(&lights->lights[prepared->sources[i]]))
-            TRY(add_shape(camera, lights, i, index++, prepared, err));
+        if (tl_light_has_shape(gbuffer, &lights->lights[prepared->sources[i]]))
+            TRY(add_shape(gbuffer, lights, shadow_filter, i, index++, prepared, err));
 done:
     return status;
 }

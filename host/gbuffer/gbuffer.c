@@ -115,6 +115,7 @@ void tl_gbuffer_destroy(tl_gbuffer *gbuffer)
     if (!gbuffer)
         return;
     tl_material_names_clear(&gbuffer->materials);
+    tl_shadow_maps_clear(&gbuffer->shadows);
     free(gbuffer->planes);
     free(gbuffer);
 }

@@ -101,6 +101,7 @@ tl_status tl_gbuffer_pack(const tl_gbuffer *from,
     TRY(tl_gbuffer_create_packed(&from->camera, layout, stored, &made, err));
     made->samples = from->samples;
     TRY(tl_material_names_copy(&from->materials, &made->materials, err));
+    TRY(tl_shadow_maps_copy(&from->shadows, &made->shadows, err));
     for (int p = 0; p < TL_PLANE_COUNT; p++)
         j.planes[p] = tl_gbuffer_plane(from, (enum tl_plane)p);
     j.to = made;

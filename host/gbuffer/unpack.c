@@ -101,6 +101,7 @@ tl_status tl_gbuffer_unpack(const tl_gbuffer *from, tl_gbuffer **out, tl_error *
     j.to->knows_indices = from->knows_indices;
     memcpy(j.to->indices, from->indices, sizeof from->indices);
     TRY(tl_material_names_copy(&from->materials, &j.to->materials, err));
+    TRY(tl_shadow_maps_copy(&from->shadows, &j.to->shadows, err));
     tl_parallel(j.to->camera.height, 4, unpack_rows, &j);
     *out = j.to;
     j.to = NULL;

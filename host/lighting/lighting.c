@@ -92,6 +92,9 @@ static tl_status check_options(const tl_device *device,
     if (!is_one_of(options->vector_width, widths, sizeof widths / sizeof widths[0]))
         return tl_fail(err, TL_ERR_ARGUMENT, "vectors of %u lanes: it must be 1, 4, 8 or 16",
                        options->vector_width);
+    if (options->shadow_filter > TL_MOST_SHADOW_FILTER)
+        return tl_fail(err, TL_ERR_ARGUMENT, "a shadow filter of %u texels: %d at most",
+                       options->shadow_filter, TL_MOST_SHADOW_FILTER);
     if (!(options->light_cutoff >= 0.0f && options->light_cutoff < INFINITY))
         return tl_fail(err, TL_ERR_ARGUMENT, "a light cutoff of %g lx: it must be 0 or above",
                        (double)options->light_cutoff);
@@ -407,7 +410,8 @@ tl_status tl_lighting_run(tl_lighting *lighting,
                    &(tl_prepare_options){.tile_size = options->tile_size,
                                          .box_count = box_counts[options->cull],
                                          .light_cutoff = options->light_cutoff,
-                                         .effects = options->effects},
+                                         .effects = options->effects,
+                                         .shadow_filter = options->shadow_filter},
                    notices, &lighting->prepared, err));
     lighting->prepared.approximations = options->approximations;
     clock = tl_timings_end(timings, "prepare", clock);

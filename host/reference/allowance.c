@@ -24,6 +24,7 @@
 #include "allowance.h"
 
 #include "allowance_map.h"
+#include "allowance_shadow.h"
 #include "ranges.h"
 #include "rough_lobes.h"
 #include "sections.h"
@@ -315,17 +316,20 @@ static interval tinted(interval light, double colour, interval whole_tint)
 }
 
 static interval weight_on(const tl_prepared *prepared,
+                          const rough_surface *s,
                           const tl_view_shape *shape,
                           tl_view_light light,
                           const way *w,
+                          const incidence *n_dot_l,
                           const aperture *cone)
 {
     const interval falloff =
         light.falloff == TL_FADE_TABLE
             ? tl_table_allowance(prepared, shape, (double)light.fade, w->distance)
             : weight_of(light, w);
-    return (interval){falloff.low * cone->share.low * (1.0 - U),
-                      falloff.high * cone->share.high * (1.0 + U)};
+    const interval seen = tl_shadow_allowance(prepared, shape, s, w, n_dot_l);
+    return (interval){falloff.low * cone->share.low * seen.low * (1.0 - 2.0 * U),
+                      falloff.high * cone->share.high * seen.high * (1.0 + 2.0 * U)};
 }
 
 /* The lobe that asks for no normal: weight, colour and tint. */
@@ -395,7 +399,7 @@ static rough_light light_on(const tl_prepared *prepared,
     if (!cone.may_pass || (!may_be_above && !shape))
         return out;
     interval tint[3];
-    const interval weight = weight_on(prepared, shape, light, &w, &cone);
+    const interval weight = weight_on(prepared, s, shape, light, &w, &n_dot_l, &cone);
     tint_on(prepared, shape, &w, tint);
     out.n_dot_l = n_dot_l.exact;
     out.is_certain = w.does_reach && cone.does_pass;

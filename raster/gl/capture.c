@@ -1,6 +1,7 @@
 #include "tilelight/capture.h"
 
 #include "geometry_pass.h"
+#include "shadow_pass.h"
 #include "tilelight/layouts.h"
 #include "try.h"
 
@@ -100,6 +101,7 @@ done:
 static tl_status render(const tl_model *model,
                         const tl_camera *camera,
                         const tl_capture_options *options,
+                        const tl_light_set *lights,
                         tl_gbuffer **out,
                         tl_timings *timings,
                         const tl_notices *notices,
@@ -123,6 +125,11 @@ static tl_status render(const tl_model *model,
     TRY(tl_gl_open(&gl, err));
     TRY(tl_upload(gl, model, &objects, timings, err));
     TRY(tl_geometry_pass(gl, model, &objects, anisotropy, gbuffer, timings, err));
+    TRY(tl_shadow_plan(model, gbuffer, lights,
+                       options->shadow_memory ? options->shadow_memory
+                                              : TL_DEFAULT_SHADOW_MEMORY,
+                       notices, &gbuffer->shadows, err));
+    TRY(tl_shadow_pass(gl, model, &objects, anisotropy, gbuffer, timings, err));
 
     *out = gbuffer;
     gbuffer = NULL;
@@ -154,12 +161,16 @@ tl_status tl_capture(const char *path,
     TRY(check_samples(options, width, height, err));
     TRY(tl_model_load(path, &moment, options->variant, notices, &model, err));
     TRY(tl_model_lights(model, &found, err));
+    for (size_t i = 0; options->all_shadows && i < found.count; i++)
+        found.lights[i].casts_shadow = 1;
     TRY(tl_model_camera(model, options->camera, width, height, notices, &camera, err));
     tl_timings_end(timings, "load", clock);
     /* The edges are the picture's, whatever its samples. */
     camera.width *= side_of(options);
     camera.height *= side_of(options);
-    TRY(render(model, &camera, options, out, timings, notices, err));
+    TRY(render(model, &camera, options,
+               options->shadow_lights ? options->shadow_lights : &found, out, timings, notices,
+               err));
 
     tl_light_set_clear(lights);
     *lights = found;

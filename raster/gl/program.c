@@ -16,6 +16,7 @@ static const char *const macros[TL_FEATURE_COUNT] = {
 static const unsigned features_of_pass[TL_PASS_COUNT] = {
     [TL_DEPTH_PASS] = 1u << TL_HAS_BASE_COLOR | 1u << TL_ALPHA_TEST | 1u << TL_MANY_SETS,
     [TL_SURFACE_PASS] = (1u << TL_FEATURE_COUNT) - 1u,
+    [TL_SHADOW_PASS] = 1u << TL_HAS_BASE_COLOR | 1u << TL_ALPHA_TEST | 1u << TL_MANY_SETS,
 };
 
 enum { MOST_TEXTS = 14 };
@@ -36,6 +37,10 @@ static void list_fragment_texts(const tl_programs *programs,
     texts[count++] = tl_lookup_glsl;
     if (pass == TL_DEPTH_PASS)
         texts[count++] = tl_depth_frag;
+    if (pass == TL_SHADOW_PASS) {
+        texts[count++] = tl_shadow_code_h;
+        texts[count++] = tl_shadow_frag;
+    }
     for (size_t i = 0; pass == TL_SURFACE_PASS && i < sizeof surface / sizeof surface[0]; i++)
         texts[count++] = surface[i];
     if (pass == TL_SURFACE_PASS)
@@ -53,7 +58,7 @@ tl_status tl_program_for(const tl_gl *gl,
     char prefix[512];
     const char *fragment[MOST_TEXTS];
 
-    if (!(features & 1u << TL_ALPHA_TEST) && pass == TL_DEPTH_PASS)
+    if (!(features & 1u << TL_ALPHA_TEST) && pass != TL_SURFACE_PASS)
         features = 0;
     features &= features_of_pass[pass];
     GLuint *const made = &programs->made[pass][features];

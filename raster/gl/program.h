@@ -1,4 +1,4 @@
-/* The shaders of the geometry pass, compiled for what a material has. */
+/* The shaders of the geometry and shadow passes, compiled for what a material has. */
 #ifndef TL_PROGRAM_H
 #define TL_PROGRAM_H
 
@@ -24,7 +24,7 @@ enum tl_feature {
         TL_FEATURE_COUNT
 };
 
-typedef enum tl_pass { TL_DEPTH_PASS, TL_SURFACE_PASS, TL_PASS_COUNT } tl_pass;
+typedef enum tl_pass { TL_DEPTH_PASS, TL_SURFACE_PASS, TL_SHADOW_PASS, TL_PASS_COUNT } tl_pass;
 
 /* Programs made so far, by pass and features; 0: not made. They go with the context. */
 typedef struct tl_programs {

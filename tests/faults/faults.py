@@ -265,4 +265,22 @@ FAULTS = [
           "host/promise/promise.c", "    tl_memory_write(memory, w.kind, w.candidates);\n",
           "    if (out->attempt_count == 1)\n        tl_memory_write(memory, w.kind, w.candidates);\n",
           "test_promise_lit", []),
+
+    # Shadows.
+    Fault("shadow-texel-slope", "what a texel's surface falls by is not counted", "kernels/shadow.h",
+          "pick(by_texel < by_place, by_texel, by_place)", "by_place", "test_shadow_formulas", []),
+    Fault("shadow-own-slope", "what a pixel's own plane falls by is not counted", "kernels/shadow.h",
+          "pick(by_texel < by_place, by_texel, by_place)", "by_texel", "test_shadow_formulas", []),
+    Fault("shadow-area", "the last column of a filter counts whole", "kernels/shadow.h",
+          "i == filter ? part : (real)R(1.0)", "i == filter ? (real)R(1.0) : (real)R(1.0)",
+          "test_shadow_formulas", []),
+    Fault("shadow-cube", "a cube's views are upside down against their axes", "kernels/shadow.h",
+          "side.sign * pick(side.along_x, v.z,", "pick(side.along_x, v.z,", "test_shadow_rays", []),
+    Fault("shadow-down", "slopes downwards have the wrong sign", "raster/shaders/shadow.frag",
+          "dFdy(depth))", "-dFdy(depth))", "test_shadow_rays", []),
+    Fault("shadow-one-sided", "surfaces cast no shadow with their backs", "raster/gl/drawing.c",
+          "draw->material->double_sided || which == TL_SHADOW_PASS", "draw->material->double_sided",
+          "test_shadow_rays", []),
+    Fault("shadow-filter-places", "what a place may be off is not followed to its texels",
+          "host/reference/allowance_shadow.c", "(d.x + d.y) / filter +", "", "test_shadow_lit", []),
 ]

@@ -227,8 +227,8 @@ static tl_status read_own(tl_import_plan *plan,
     *found = part->index == 0 && tl_exr_part_attribute(part, "tilelight:frustum") != NULL;
     if (!*found)
         return TL_OK;
-    TRY(tl_camera_attributes_read(part->stream, plan->width, plan->height, &plan->camera.camera,
-                                  err));
+    TRY(tl_camera_attributes_read(part->stream, part->index, plan->width, plan->height,
+                                  &plan->camera.camera, err));
     plan->camera.is_exact = plan->camera.is_placed = true;
     snprintf(plan->camera.lens, sizeof plan->camera.lens, "attributes tilelight:");
     snprintf(plan->camera.place, sizeof plan->camera.place, "attributes tilelight:");

@@ -36,6 +36,7 @@ typedef enum tl_cause_kind {
     X(TL_CAUSE_PROJECTED, TL_CAUSE_OF_LIGHTS, "spot light with a texture")                 \
     X(TL_CAUSE_AROUND, TL_CAUSE_OF_LIGHTS, "point light with a texture")                   \
     X(TL_CAUSE_AMBIENT_LOBE, TL_CAUSE_OF_LIGHTS, "light with an ambient lobe")             \
+    X(TL_CAUSE_SHADOW, TL_CAUSE_OF_LIGHTS, "light with a shadow map")                      \
     X(TL_CAUSE_HIGHLIGHT, TL_CAUSE_OF_LIGHTS, "light with a specular lobe")                \
     X(TL_CAUSE_CONE, TL_CAUSE_OF_LIGHTS, "spot light")                                     \
     X(TL_CAUSE_GLOSS, TL_CAUSE_OF_PLANES, "specular or metal-rough material")              \
@@ -91,6 +92,8 @@ typedef enum tl_cause {
     X(TL_EFFECT_AMBIENT_LOBE, "light-ambient",                                                 \
       "a share of lights on the albedo, whatever the normal", TL_BY(TL_CAUSE_AMBIENT_LOBE), 0, \
       "TL_SHAPES")                                                                             \
+    X(TL_EFFECT_SHADOWS, "shadows", "the share of a light that nothing stands before",         \
+      TL_BY(TL_CAUSE_SHADOW), 0, "TL_SHAPES")                                                  \
     X(TL_EFFECT_SPOTS, "spots", "cones of light", TL_BY(TL_CAUSE_CONE), 0, "TL_SPOTS")         \
     X(TL_EFFECT_SPECULAR, "specular", "highlights",                                            \
       TL_BY(TL_CAUSE_HIGHLIGHT) | TL_BY(TL_CAUSE_GLOSS) | TL_BY(TL_CAUSE_SHINY),               \
@@ -163,12 +166,12 @@ bool tl_effect_is_by_tile(tl_effect effect);
 const char *tl_effect_bound(tl_effect effect);
 
 /* X(name, word on the command line, meaning) */
-#define TL_EFFECTS_MODES(X)                                                               \
-    X(TL_EFFECTS_AUTO, "auto", "what the frame calls for")                                \
-    X(TL_EFFECTS_ALL, "all",                                                              \
-      "also what adds nothing: every falloff, cones, textures and ambient lobes of "      \
-      "lights, ambient light, highlights, "                                               \
-      "occlusion and emission as far as the frame has planes for them, lights that give " \
+#define TL_EFFECTS_MODES(X)                                                                \
+    X(TL_EFFECTS_AUTO, "auto", "what the frame calls for")                                 \
+    X(TL_EFFECTS_ALL, "all",                                                               \
+      "also what adds nothing: every falloff, cones, textures, ambient lobes and shadows " \
+      "of lights, ambient light, highlights, "                                             \
+      "occlusion and emission as far as the frame has planes for them, lights that give "  \
       "nothing")
 
 typedef enum tl_effects_mode {

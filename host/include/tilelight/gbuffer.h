@@ -9,6 +9,7 @@
 #include "camera.h"
 #include "layout_names.h"
 #include "planes.h"
+#include "shadows.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -79,6 +80,7 @@ typedef struct tl_gbuffer {
     uint32_t indices[TL_INDEX_WORDS];
     bool knows_indices;
     tl_material_names materials; /* none where nobody named them */
+    tl_shadow_maps shadows;      /* of lights that were to cast shadows; owned */
     /* [tl_gbuffer_pixel_size][rows * pitch] bytes, plane after plane, aligned to 4096; padding is sky */
     unsigned char *planes;
 } tl_gbuffer;

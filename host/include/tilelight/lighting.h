@@ -125,6 +125,9 @@ typedef struct tl_lighting_options {
     /* another picture, in another time; TL_PRECISION_REFERENCE has none, TL_PRECISION_TWIN those that are the
      * same bit for bit everywhere */
     tl_approximations approximations;
+    /* Width of what the light that arrives is a mean over, in texels of a shadow map: 1 to
+     * TL_MOST_SHADOW_FILTER, 0: TL_DEFAULT_SHADOW_FILTER. Another picture where there are shadows */
+    uint32_t shadow_filter;
     float light_cutoff; /* a light without a range ends where it gives this (lx); 0: never */
     uint64_t
         memory_limit; /* bytes of device memory beside shared ones; 0: what the device has */

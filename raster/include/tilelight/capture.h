@@ -15,6 +15,7 @@ extern "C" {
 /* px; and looks at a texture. */
 enum { TL_DEFAULT_WIDTH = 1280, TL_DEFAULT_HEIGHT = 720 };
 enum { TL_DEFAULT_ANISOTROPY = 16, TL_MAX_ANISOTROPY = 16 };
+#define TL_DEFAULT_SHADOW_MEMORY ((uint64_t)256 << 20) /* bytes */
 
 typedef struct tl_capture_options {
     uint32_t width, height; /* px of the picture; 0: the default ones */
@@ -32,6 +33,12 @@ typedef struct tl_capture_options {
     const char *animation;
     double time;
     bool has_time; /* false: time is 0 where an animation is named */
+    /* Shadow maps: of the lights that ask for them among shadow_lights, NULL: among the scene's own; of all of
+     * the scene's own with all_shadows, which then ask for them. shadow_memory: bytes of all maps at most, 0:
+     * TL_DEFAULT_SHADOW_MEMORY. */
+    const tl_light_set *shadow_lights;
+    bool all_shadows;
+    uint64_t shadow_memory;
 } tl_capture_options;
 
 /* Loads `path` (.gltf, .glb), renders its default scene into a G-buffer, and collects its lights. The

@@ -1,0 +1,86 @@
+#include "visible_box.h"
+
+#include "packing.h"
+
+#include <math.h>
+
+/* Along the rows: where the camera stands, and its right, up and back. */
+typedef struct turned_camera {
+    double eye[3], axes[3][3];
+} turned_camera;
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static turned_camera turn(const tl_camera *camera, const double rows[3][3])
+{
+    static const double origin[3] = {0.0, 0.0, 0.0};
+    double world[3];
+    turned_camera t;
+    tl_camera_world_point(camera, origin, world);
+    for (int i = 0; i < 3; i++)
+        t.eye[i] = dot(rows[i], world);
+    for (int axis = 0; axis < 3; axis++) {
+        const double unit[3] = {axis == 0, axis == 1, axis == 2};
+        tl_camera_world_direction(camera, unit, world);
+        for (int i = 0; i < 3; i++)
+            t.axes[axis][i] = dot(rows[i], world);
+    }
+    return t;
+}
+
+static void widen(double around[2][3], const double p[3])
+{
+    for (int i = 0; i < 3; i++) {
+        around[0][i] = fmin(around[0][i], p[i]);
+        around[1][i] = fmax(around[1][i], p[i]);
+    }
+}
+
+/* The surface of a pixel, along the rows. */
+static void place(const tl_unpacking *of,
+                  const turned_camera *camera,
+                  uint32_t column,
+                  uint32_t row,
+                  double depth,
+                  double out[3])
+{
+    const tl_rays rays = of->frame.rays;
+    const double scale = of->from->camera.projection == TL_ORTHOGRAPHIC ? 1.0 : depth;
+    const double x = ((double)rays.x0 + column * (double)rays.dx) * scale;
+    const double y = ((double)rays.y0 + row * (double)rays.dy) * scale;
+    for (int i = 0; i < 3; i++)
+        out[i] = camera->eye[i] + x * camera->axes[0][i] + y * camera->axes[1][i] -
+                 depth * camera->axes[2][i];
+}
+
+bool tl_visible_box(const tl_gbuffer *gbuffer, const double rows[3][3], double out[2][3])
+{
+    enum { SPAN = 256 };
+    const tl_unpacking unpacking = tl_unpacking_of(gbuffer);
+    const turned_camera camera = turn(&gbuffer->camera, rows);
+    const uint32_t width = gbuffer->camera.width;
+    const bool is_parallel = gbuffer->camera.projection == TL_ORTHOGRAPHIC;
+    double around[2][3] = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    for (uint32_t row = 0; row < gbuffer->camera.height; row++)
+        for (uint32_t begin = 0; begin < width; begin += SPAN) {
+            const uint32_t end = width - begin < SPAN ? width : begin + SPAN;
+            float depths[SPAN], *to[TL_PLANE_COUNT] = {[TL_DEPTH] = depths};
+            tl_unpack_span(&unpacking, row, begin, end, to);
+            for (uint32_t x = begin; x < end; x++) {
+                const double depth = (double)depths[x - begin];
+                double p[3];
+                if (!isfinite(depth) || (!is_parallel && depth <= 0.0))
+                    continue;
+                place(&unpacking, &camera, x, row, depth, p);
+                widen(around, p);
+            }
+        }
+    if (!(around[0][0] <= around[1][0]))
+        return false;
+    for (int i = 0; i < 6; i++)
+        out[i / 3][i % 3] = around[i / 3][i % 3];
+    return true;
+}

@@ -1,0 +1,22 @@
+/* Which shadow maps a capture gets, and what each of them sees. */
+#ifndef TL_SHADOW_PLAN_H
+#define TL_SHADOW_PLAN_H
+
+#include "model.h"
+
+#include "tilelight/gbuffer.h"
+
+/* A map for each light of the set that casts shadows, in their order and still empty, in *out, which has
+ * none; released with tl_shadow_maps_clear. A light's map has about a texel for each pixel that its reach is
+ * wide on the screen, a power of two; a directional one's sees what the camera sees, by the depths of
+ * `gbuffer`, which is rendered. Where all take more than `memory` bytes, the largest are halved until they
+ * do not, which is told. Fails with TL_ERR_ARGUMENT where no size is small enough, or TL_ERR_MEMORY. */
+tl_status tl_shadow_plan(const tl_model *model,
+                         const tl_gbuffer *gbuffer,
+                         const tl_light_set *lights,
+                         uint64_t memory,
+                         const tl_notices *notices,
+                         tl_shadow_maps *out,
+                         tl_error *err);
+
+#endif

@@ -1,0 +1,351 @@
+#define _GNU_SOURCE
+/* Does light arrive where rays say that it does?
+ *
+ * Each scene is captured with shadow maps of all its lights. For every pixel that a light reaches, and is
+ * above, a ray between the two says whether anything is in between; kernels' text says by the map which
+ * share arrives. They differ where the share is on the other side of a half. A pixel is at an edge where rays
+ * to its surroundings, two texels of the map each way, do not all say the same. */
+#include "assets.h"
+#include "lit_pixel.h"
+#include "parallel.h"
+#include "prepared.h"
+#include "rays/ray_scene.h"
+#include "sections.h"
+
+#include "tilelight/capture.h"
+#include "tilelight/gbuffer_file.h"
+
+enum { WIDTH = 640, HEIGHT = 360 };
+
+/* Of lit pixels, that may differ; none away from edges. */
+static const double most_differing = 0.01;
+
+typedef struct scene_case {
+    const char *scene, *lights; /* in the sources' folder; lights NULL: the scene's own */
+    const char *camera;
+    bool is_asset; /* in the assets' folder: skipped where there is none */
+} scene_case;
+
+static const scene_case cases[] = {
+    {"data/nine-lights.gltf", NULL, NULL, false},
+    {"data/nine-lights.gltf", "data/nine-lights.lights.json", NULL, false},
+    {"data/fair.glb", NULL, NULL, false},
+    {"data/hall.gltf", NULL, NULL, false},
+    {"data/hard-cases.glb", NULL, NULL, false},
+};
+
+/* A frame, and its scene for rays. */
+typedef struct frame {
+    tl_gbuffer *gbuffer;
+    tl_light_set lights;
+    tl_prepared prepared;
+    ray_scene *rays;
+    float *planes[TL_PLANE_COUNT];
+    double world_from_view[3][3], eye[3];
+} frame;
+
+/* What is known of a pixel and the light in question. */
+enum { NOT_LIT = 0, LIT = 1, REACHED = 2, PASSED = 4 };
+
+typedef struct pixel_of_light {
+    unsigned is; /* LIT; REACHED: by the ray; PASSED: more than half, by the map */
+    float x, y;  /* texels in the map */
+    float view;
+} pixel_of_light;
+
+typedef struct light_case {
+    const frame *f;
+    uint32_t index; /* of the prepared light */
+    tl_view_shadow shadow;
+    pixel_of_light *pixels; /* [HEIGHT][WIDTH] */
+} light_case;
+
+static surface surface_of_pixel(const frame *f, uint32_t column, uint32_t row)
+{
+    const tl_needs needs = f->prepared.needs;
+    const pixel in = pixel_at(f->planes, (size_t)row * f->gbuffer->pitch + column);
+    return surface_of(&f->prepared.frame, needs, in, R(1.0), (real)column, (scalar)row);
+}
+
+static void to_world(const frame *f, const double view[3], int is_point, double world[3])
+{
+    for (int i = 0; i < 3; i++)
+        world[i] = is_point ? f->eye[i] : 0.0;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            world[i] += f->world_from_view[i][j] * view[j];
+}
+
+/* Whether a ray from a point in view space to the light meets anything. Both ends are left out: the surface's
+ * own, by what its place is off, and what is nearer to the light than the map sees. */
+static bool is_blocked(const light_case *of, const double point[3], vec3 normal)
+{
+    const tl_view_light light = of->f->prepared.lights[of->index];
+    const int is_sun = of->shadow.kind == TL_SHADOW_PARALLEL;
+    const double n[3] = {(double)normal.x, (double)normal.y, (double)normal.z};
+    const double off = 2e-5 * (1.0 + fabs(point[2]));
+    double start[3], l[3], length = 0.0, from[3], direction[3];
+    for (int i = 0; i < 3; i++) {
+        start[i] = point[i] + off * n[i];
+        l[i] = (double)light.position[i] - (is_sun ? 0.0 : start[i]);
+        length += l[i] * l[i];
+    }
+    length = sqrt(length);
+    for (int i = 0; i < 3; i++)
+        l[i] /= length;
+    to_world(of->f, start, 1, from);
+    to_world(of->f, l, 0, direction);
+    return ray_scene_blocks(of->f->rays, from, direction, off,
+                            is_sun ? 1e6 : length - (double)of->shadow.near);
+}
+
+/* As kernels decide it, without the shadow. */
+static bool is_lit(const light_case *of, surface s, vec3 *l, approach *a, real *distance)
+{
+    const tl_prepared *p = &of->f->prepared;
+    const tl_view_light light = p->lights[of->index];
+    const bool is_sun = of->shadow.kind == TL_SHADOW_PARALLEL;
+    const bool is_global = of->index < p->frame.global_count;
+    const vec3 direction = {light.position[0], light.position[1], light.position[2]};
+    *l = is_sun ? direction : vector_to_light(s.position, light);
+    *a = approach_of(s, *l);
+    *distance = is_sun ? R(1.0) : SQRT(a->distance2);
+    return a->facing > R(0.0) && (is_global || reaches(light, a->distance2)) &&
+           in_cone(p->spots[of->index], *l, a->distance2);
+}
+
+static void look_at_pixel(const light_case *of, uint32_t column, uint32_t row)
+{
+    pixel_of_light *out = &of->pixels[(size_t)row * WIDTH + column];
+    const surface s = surface_of_pixel(of->f, column, row);
+    const tl_numbers numbers = (tl_numbers)of->f->prepared.lights;
+    vec3 l;
+    approach a;
+    real distance;
+    out->is = NOT_LIT;
+    if (!isfinite(s.position.z) || !is_lit(of, s, &l, &a, &distance))
+        return;
+    const double point[3] = {(double)s.position.x, (double)s.position.y, (double)s.position.z};
+    const real share = unshadowed_share(numbers, of->shadow, s, l, distance, a.facing);
+    const shadow_place at =
+        place_in_shadow(of->shadow, shadowed_point(of->shadow, s, l), s.normal, a.facing);
+    out->is = LIT;
+    out->is |= is_blocked(of, point, s.normal) ? 0u : (unsigned)REACHED;
+    out->is |= share > R(0.5) ? (unsigned)PASSED : 0u;
+    out->x = at.x;
+    out->y = at.y;
+    out->view = at.view;
+}
+
+static void look_at_rows(void *context, size_t begin, size_t end)
+{
+    const light_case *of = context;
+    for (size_t row = begin; row < end; row++)
+        for (uint32_t column = 0; column < WIDTH; column++)
+            look_at_pixel(of, column, (uint32_t)row);
+}
+
+static bool differs(const pixel_of_light *p)
+{
+    return (p->is & LIT) && !(p->is & REACHED) != !(p->is & PASSED);
+}
+
+/* Rays to neighbours on the screen that are up to two texels away. */
+static bool neighbours_differ(const light_case *of, uint32_t column, uint32_t row)
+{
+    enum { FAR = 8 };
+    const pixel_of_light *own = &of->pixels[(size_t)row * WIDTH + column];
+    for (int y = -FAR; y <= FAR; y++)
+        for (int x = -FAR; x <= FAR; x++) {
+            const long c = (long)column + x, r = (long)row + y;
+            if (c < 0 || r < 0 || c >= WIDTH || r >= HEIGHT)
+                continue;
+            const pixel_of_light *p = &of->pixels[r * WIDTH + c];
+            if ((p->is & LIT) && ((p->is ^ own->is) & REACHED) &&
+                hypotf(p->x - own->x, p->y - own->y) <= 2.0f)
+                return true;
+        }
+    return false;
+}
+
+/* Rays to places on the pixel's plane, up to two texels away each way. */
+static bool surroundings_differ(const light_case *of, uint32_t column, uint32_t row)
+{
+    enum { STEPS = 4 };
+    const surface s = surface_of_pixel(of->f, column, row);
+    const bool own = (of->pixels[(size_t)row * WIDTH + column].is & REACHED) != 0;
+    const int is_sun = of->shadow.kind == TL_SHADOW_PARALLEL;
+    const vec3 n = s.normal;
+    vec3 l;
+    approach a;
+    real distance;
+    (void)is_lit(of, s, &l, &a, &distance);
+    /* Across the light's direction; a texel's width there, from what the place changes by. */
+    const vec3 helper = fabsf(l.x) < fabsf(l.y) ? (vec3){1, 0, 0} : (vec3){0, 1, 0};
+    const vec3 across =
+        unit3((vec3){l.y * helper.z - l.z * helper.y, l.z * helper.x - l.x * helper.z,
+                     l.x * helper.y - l.y * helper.x});
+    const vec3 other =
+        unit3((vec3){l.y * across.z - l.z * across.y, l.z * across.x - l.x * across.z,
+                     l.x * across.y - l.y * across.x});
+    const vec3 right = {of->shadow.right[0], of->shadow.right[1], of->shadow.right[2]};
+    const double texel =
+        is_sun ? 1.0 / (double)SQRT(dot3(right, right)) : (double)(distance / of->shadow.scale);
+    for (int j = -STEPS; j <= STEPS; j++)
+        for (int i = -STEPS; i <= STEPS; i++) {
+            const double x = 2.0 * i / STEPS * texel, y = 2.0 * j / STEPS * texel;
+            double p[3] = {(double)s.position.x + x * (double)across.x + y * (double)other.x,
+                           (double)s.position.y + x * (double)across.y + y * (double)other.y,
+                           (double)s.position.z + x * (double)across.z + y * (double)other.z};
+            /* Along the light, back onto the plane. */
+            const double off = (p[0] - (double)s.position.x) * (double)n.x +
+                               (p[1] - (double)s.position.y) * (double)n.y +
+                               (p[2] - (double)s.position.z) * (double)n.z;
+            const double back = off / (double)a.facing;
+            p[0] -= back * (double)l.x;
+            p[1] -= back * (double)l.y;
+            p[2] -= back * (double)l.z;
+            if (x * x + y * y <= 4.0 * texel * texel && is_blocked(of, p, n) == own)
+                return true;
+        }
+    return false;
+}
+
+typedef struct tally {
+    size_t lit, dark, differing, away;
+    uint32_t column, row; /* of one away from edges */
+} tally;
+
+static void count_pixels(const light_case *of, tally *out)
+{
+    for (uint32_t row = 0; row < HEIGHT; row++)
+        for (uint32_t column = 0; column < WIDTH; column++) {
+            const pixel_of_light *p = &of->pixels[(size_t)row * WIDTH + column];
+            out->lit += (p->is & LIT) != 0;
+            out->dark += (p->is & LIT) && !(p->is & REACHED);
+            if (!differs(p))
+                continue;
+            out->differing++;
+            if (neighbours_differ(of, column, row) || surroundings_differ(of, column, row))
+                continue;
+            out->away++;
+            out->column = column;
+            out->row = row;
+            if (getenv("TILELIGHT_VERBOSE"))
+                printf("  away: light %u, pixel (%u, %u), %s by rays\n",
+                       of->f->prepared.sources[of->index], column, row,
+                       p->is & REACHED ? "lit" : "dark");
+        }
+}
+
+static char *source_path(const char *file)
+{
+    const char *source = getenv("TILELIGHT_SOURCE");
+    char *path = NULL;
+    assert_true(asprintf(&path, "%s/%s", source ? source : ".", file) > 0);
+    return path;
+}
+
+static void open_frame(const scene_case *c, frame *f)
+{
+    tl_error err;
+    char *const scene = c->is_asset ? asset_path(c->scene) : source_path(c->scene);
+    char *const lights = c->lights ? source_path(c->lights) : NULL;
+    tl_capture_options options = {
+        .width = WIDTH, .height = HEIGHT, .camera = c->camera, .all_shadows = true};
+    *f = (frame){.gbuffer = NULL};
+    tl_light_set found = {0}, given = {0};
+    if (lights) {
+        ASSERT_OK(tl_lights_read(lights, &given, &err), err);
+        for (size_t i = 0; i < given.count; i++)
+            given.lights[i].casts_shadow = 1;
+        options.shadow_lights = &given;
+    }
+    ASSERT_OK(tl_capture(scene, &options, &f->gbuffer, &found, NULL, NULL, &err), err);
+    f->lights = lights ? given : found;
+    if (lights)
+        tl_light_set_clear(&found);
+    ASSERT_OK(tl_gbuffer_repair(f->gbuffer, scene, false, NULL, &err), err);
+    ASSERT_OK(tl_prepare(f->gbuffer, &f->lights, &(tl_prepare_options){.tile_size = 16}, NULL,
+                         &f->prepared, &err),
+              err);
+    ASSERT_OK(ray_scene_open(scene, &f->rays, &err), err);
+    for (int p = 0; p < TL_PLANE_COUNT; p++)
+        f->planes[p] = tl_gbuffer_plane(f->gbuffer, (enum tl_plane)p);
+    static const double origin[3] = {0.0, 0.0, 0.0};
+    tl_camera_world_point(&f->gbuffer->camera, origin, f->eye);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            f->world_from_view[i][j] = (double)f->gbuffer->camera.view_from_world[j][i];
+    free(scene);
+    free(lights);
+}
+
+static void close_frame(frame *f)
+{
+    ray_scene_close(f->rays);
+    tl_prepared_clear(&f->prepared);
+    tl_light_set_clear(&f->lights);
+    tl_gbuffer_destroy(f->gbuffer);
+}
+
+/* 0: the light has no map. */
+static tl_u32 shadow_of_light(const tl_prepared *p, uint32_t index)
+{
+    if (!has_shape(p->lights[index].falloff))
+        return 0;
+    const tl_view_shape *shapes = tl_section_at(p, p->frame.shapes_at);
+    return shapes[p->lights[index].falloff - TL_FADE_COUNT].shadow_at;
+}
+
+static void hold_against_rays(const scene_case *c)
+{
+    frame f;
+    tally sum = {0};
+    open_frame(c, &f);
+    pixel_of_light *pixels = calloc((size_t)WIDTH * HEIGHT, sizeof *pixels);
+    assert_non_null(pixels);
+    uint32_t maps = 0;
+    for (uint32_t i = 0; i < f.prepared.frame.light_count; i++) {
+        const tl_u32 at = shadow_of_light(&f.prepared, i);
+        if (at == 0)
+            continue;
+        light_case of = {&f, i, shadow_behind((tl_numbers)f.prepared.lights, at), pixels};
+        tally own = {0};
+        tl_parallel(HEIGHT, 4, look_at_rows, &of);
+        count_pixels(&of, &own);
+        maps++;
+        if (getenv("TILELIGHT_VERBOSE"))
+            printf("  light %u, kind %u, %u texels: %zu lit, %zu dark, %zu differ, %zu away\n",
+                   f.prepared.sources[i], of.shadow.kind, of.shadow.size, own.lit, own.dark,
+                   own.differing, own.away);
+        sum.lit += own.lit;
+        sum.dark += own.dark;
+        sum.differing += own.differing;
+        sum.away += own.away;
+    }
+    printf("%s, %s: %u maps; of %zu lit pixels %zu are dark, %zu differ (%.3f %%), %zu of them "
+           "away from an edge\n",
+           c->scene, c->lights ? c->lights : "its own lights", maps, sum.lit, sum.dark,
+           sum.differing, 100.0 * (double)sum.differing / (double)(sum.lit ? sum.lit : 1),
+           sum.away);
+    fflush(stdout);
+    assert_true(maps > 0 && sum.lit > 0 && sum.dark > 0);
+    assert_true((double)sum.differing <= most_differing * (double)sum.lit);
+    assert_int_equal(sum.away, 0);
+    free(pixels);
+    close_frame(&f);
+}
+
+static void maps_agree_with_rays(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(cases); i++)
+        hold_against_rays(&cases[i]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(maps_agree_with_rays)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
