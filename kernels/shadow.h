@@ -46,7 +46,7 @@
 
 #define TL_SHADOW_PLACE R(0x1p-7)   /* texels */
 #define TL_SHADOW_DEPTH R(0x1p-19)  /* 32u; of the depth, or in parallel maps of all of it */
-#define TL_SHADOW_GRAZING R(0.0625) /* cosine */
+#define TL_SHADOW_GRAZING R(0x1p-7) /* cosine */
 
 /* The side of a cube that a direction meets, lane by lane: along one of its axes or against it. */
 typedef struct cube_side {
