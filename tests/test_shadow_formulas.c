@@ -144,7 +144,7 @@ static tl_shadow_map map_of(uint32_t kind)
     if (kind == TL_SHADOW_PARALLEL)
         tl_shadow_view_along(&map, receivers, receivers);
     else
-        tl_shadow_views_from(&map, 0.6, 1e-4);
+        tl_shadow_views_from(&map, map.direction, 0.6, 1e-4);
     return map;
 }
 
@@ -220,9 +220,8 @@ static plane tilted(double tilt, double turn)
 /* The cosine between a plane and the light at a point. */
 static double cosine_at(const lookup *l, const plane *p, const double point[3])
 {
-    return l->shadow.kind == TL_SHADOW_PARALLEL
-               ? p->n[2]
-               : -dot(p->n, point) / sqrt(dot(point, point));
+    return l->shadow.kind == TL_SHADOW_PARALLEL ? p->n[2]
+                                                : -dot(p->n, point) / sqrt(dot(point, point));
 }
 
 /* Whether the light is above all planes there, by more than where slopes are cut, and a filter's width from

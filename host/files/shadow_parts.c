@@ -12,6 +12,7 @@
 static const char attribute_kind[] = "tilelight:shadow", attribute_view[] = "tilelight:view",
                   attribute_position[] = "tilelight:lightPosition",
                   attribute_direction[] = "tilelight:lightDirection",
+                  attribute_fitted[] = "tilelight:fitted",
                   attribute_slack[] = "tilelight:slack";
 
 /* In the order of rows that are computed. */
@@ -74,6 +75,7 @@ static tl_status set_attributes(
         exr_attr_set_int(context, part, attribute_view, (int32_t)view),
         exr_attr_set_v3f(context, part, attribute_position, &position),
         exr_attr_set_v3f(context, part, attribute_direction, &direction),
+        exr_attr_set_int(context, part, attribute_fitted, (int32_t)map->is_fitted),
         exr_attr_set_float(context, part, attribute_slack, map->slack),
     };
     for (size_t i = 0; i < sizeof results / sizeof results[0]; i++)
@@ -163,7 +165,7 @@ static tl_status read_attributes(const tl_exr_part *part,
     tl_status status = TL_OK;
     const exr_context_t context = part->stream->context;
     exr_attr_v3f_t position, direction;
-    int32_t index = 0;
+    int32_t index = 0, fitted = 0;
     TRY(read_kind(part, &map->kind, err));
     if (exr_attr_get_int(context, part->index, attribute_view, &index) != EXR_ERR_SUCCESS)
         TRY(lacks(part, attribute_view, "int", err));
@@ -173,12 +175,15 @@ static tl_status read_attributes(const tl_exr_part *part,
     if (exr_attr_get_v3f(context, part->index, attribute_direction, &direction) !=
         EXR_ERR_SUCCESS)
         TRY(lacks(part, attribute_direction, "v3f", err));
+    if (exr_attr_get_int(context, part->index, attribute_fitted, &fitted) != EXR_ERR_SUCCESS)
+        TRY(lacks(part, attribute_fitted, "int", err));
     if (exr_attr_get_float(context, part->index, attribute_slack, &map->slack) !=
         EXR_ERR_SUCCESS)
         TRY(lacks(part, attribute_slack, "float", err));
     memcpy(map->position, &position, sizeof position);
     memcpy(map->direction, &direction, sizeof direction);
     *view = (uint32_t)index;
+    map->is_fitted = fitted != 0;
     if (part->width != part->height || part->width < TL_LEAST_SHADOW_SIZE ||
         part->width > TL_MOST_SHADOW_SIZE)
         TRY(tl_fail(err, TL_ERR_FORMAT,

@@ -93,9 +93,12 @@ static double inner_share(uint32_t size)
     return 1.0 - 2.0 * TL_SHADOW_BORDER / (double)size;
 }
 
-void tl_shadow_views_from(tl_shadow_map *map, double outer_cone, double near)
+void tl_shadow_views_from(tl_shadow_map *map,
+                          const float axis[3],
+                          double half_angle,
+                          double near)
 {
-    const double half_view = map->kind == TL_SHADOW_CUBE ? 1.0 : tan(outer_cone);
+    const double half_view = map->kind == TL_SHADOW_CUBE ? 1.0 : tan(half_angle);
     const double edge = half_view / inner_share(map->size);
     const double eye[3] = {(double)map->position[0], (double)map->position[1],
                            (double)map->position[2]};
@@ -111,7 +114,7 @@ void tl_shadow_views_from(tl_shadow_map *map, double outer_cone, double near)
         if (map->kind == TL_SHADOW_CUBE)
             cube_axes(i, rows);
         else
-            tl_shadow_axes(map->direction, rows);
+            tl_shadow_axes(axis, rows);
         stand_at((const double(*)[3])rows, eye, view);
     }
 }
@@ -202,7 +205,7 @@ static const struct {
     uint32_t kinds; /* bits 1 << kind */
     bool has_position, has_direction;
 } traits[TL_LIGHT_TYPE_COUNT] = {
-    [TL_LIGHT_POINT] = {1u << TL_SHADOW_CUBE, true, false},
+    [TL_LIGHT_POINT] = {1u << TL_SHADOW_SPOT | 1u << TL_SHADOW_CUBE, true, false},
     [TL_LIGHT_DIRECTIONAL] = {1u << TL_SHADOW_PARALLEL, false, true},
     [TL_LIGHT_SPOT] = {1u << TL_SHADOW_SPOT | 1u << TL_SHADOW_CUBE, true, true},
 };
@@ -216,11 +219,11 @@ static bool is_seen_by(const tl_shadow_map *map, const tl_light *light)
         return false;
     /* All around, where it looks is of no matter. */
     if (map->kind == TL_SHADOW_CUBE || !traits[light->type].has_direction)
-        return true;
+        return map->kind != TL_SHADOW_SPOT || map->is_fitted;
     if (memcmp(map->direction, light->direction, sizeof map->direction) != 0)
         return false;
-    /* A cone may have become wider than what was drawn. */
-    return map->kind != TL_SHADOW_SPOT ||
+    /* A cone may have become wider than what was drawn, unless that is all that the camera sees. */
+    return map->kind != TL_SHADOW_SPOT || map->is_fitted ||
            (light->outer_cone <= TL_WIDEST_SHADOW_CONE &&
             tan((double)light->outer_cone) <=
                 (double)map->views[0].right * inner_share(map->size) * (1.0 + 1e-6));

@@ -28,7 +28,11 @@ typedef struct planning {
     const tl_gbuffer *gbuffer;
     double low[3], high[3]; /* of all that is drawn, m */
     double extent, largest; /* m: its diagonal; its largest coordinate */
+    bool sees;              /* whether the camera sees anything, and the box around that, m */
+    double seen[2][3];
 } planning;
+
+static const double axes_of_world[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 static bool begin(const tl_model *model, const tl_gbuffer *gbuffer, planning *p)
 {
@@ -41,6 +45,7 @@ static bool begin(const tl_model *model, const tl_gbuffer *gbuffer, planning *p)
         p->largest = fmax(p->largest, fmax(fabs(p->low[i]), fabs(p->high[i])));
     }
     p->extent = sqrt(square);
+    p->sees = tl_visible_box(gbuffer, axes_of_world, p->seen);
     return true;
 }
 
@@ -86,16 +91,54 @@ static bool gives_light(const tl_light *light)
            (light->color[0] > 0.0f || light->color[1] > 0.0f || light->color[2] > 0.0f);
 }
 
+/* Towards the box around what the camera sees, from a light that stands apart from it, so that one view sees
+ * all of it: the axis, and the angle from there to the farthest corner. False: no view would. */
+static bool find_cone(const planning *p, const float position[3], float axis[3], double *angle)
+{
+    double way[3], length2 = 0.0, least = 1.0;
+    for (int i = 0; i < 3; i++) {
+        way[i] = 0.5 * (p->seen[0][i] + p->seen[1][i]) - (double)position[i];
+        length2 += way[i] * way[i];
+    }
+    for (int i = 0; i < 3 && length2 > 0.0; i++)
+        axis[i] = (float)(way[i] / sqrt(length2));
+    for (int corner = 0; corner < 8 && length2 > 0.0; corner++) {
+        double to[3], along = 0.0, far2 = 0.0;
+        for (int i = 0; i < 3; i++) {
+            to[i] = p->seen[corner >> i & 1][i] - (double)position[i];
+            along += to[i] * way[i];
+            far2 += to[i] * to[i];
+        }
+        least = fmin(least, far2 > 0.0 ? along / sqrt(far2 * length2) : -1.0);
+    }
+    *angle = 1.001 * acos(least) + 1e-6; /* rounding, and a scene that is a point */
+    return length2 > 0.0 && *angle < (double)TL_WIDEST_SHADOW_CONE;
+}
+
+/* Point lights, and spots, see as little as they have to: their cone, or all that the camera sees. */
+static void choose_view(const planning *p, const tl_light *light, tl_shadow_map *map)
+{
+    float axis[3];
+    double angle;
+    if (map->kind == TL_SHADOW_PARALLEL || !p->sees ||
+        !find_cone(p, map->position, axis, &angle) ||
+        (map->kind == TL_SHADOW_SPOT && angle >= (double)light->outer_cone))
+        return;
+    map->kind = TL_SHADOW_SPOT;
+    map->is_fitted = 1;
+}
+
 /* The map of a light, without texels and views. */
 static tl_shadow_map map_for(const planning *p, const tl_light *light)
 {
     tl_shadow_map map = {.kind = kind_for(light)};
     double largest = p->largest;
-    map.size = size_for(map.kind, pixels_across(&p->gbuffer->camera, light));
     if (light->type != TL_LIGHT_DIRECTIONAL)
         memcpy(map.position, light->position, sizeof map.position);
     if (light->type != TL_LIGHT_POINT)
         memcpy(map.direction, light->direction, sizeof map.direction);
+    choose_view(p, light, &map);
+    map.size = size_for(map.kind, pixels_across(&p->gbuffer->camera, light));
     for (int i = 0; i < 3; i++)
         largest = fmax(largest, fabs((double)map.position[i]));
     map.slack = (float)(misplaced * largest);
@@ -118,10 +161,13 @@ static void turn_box(const planning *p, const double rows[3][3], double out[2][3
 /* False: it sees nothing, for the camera does not. */
 static bool find_views(const planning *p, const tl_light *light, tl_shadow_map *map)
 {
-    double rows[3][3], receivers[2][3], casters[2][3];
+    double rows[3][3], receivers[2][3], casters[2][3], angle = (double)light->outer_cone;
+    float axis[3];
     if (map->kind != TL_SHADOW_PARALLEL) {
-        tl_shadow_views_from(map, (double)light->outer_cone,
-                             fmax(nearest_share * p->extent, 1e-9));
+        memcpy(axis, light->direction, sizeof axis);
+        if (map->is_fitted)
+            find_cone(p, map->position, axis, &angle);
+        tl_shadow_views_from(map, axis, angle, fmax(nearest_share * p->extent, 1e-9));
         return true;
     }
     tl_shadow_axes(map->direction, rows);

@@ -3,8 +3,9 @@
  * for.
  *
  * A view is a camera of the light's (camera.h): square in texels, its rows from the top left. Of a spot it
- * looks along the axis, of a directional light along the rays; of a point light, and of a spot whose cone is
- * too wide for one view, there are six, along the axes of the world. */
+ * looks along the axis, of a directional light along the rays; of a light that stands apart from all that
+ * the camera sees, towards that; of other point lights, and of spots whose cone is too wide for one view,
+ * there are six, along the axes of the world. */
 #ifndef TL_SHADOWS_H
 #define TL_SHADOWS_H
 
@@ -41,6 +42,8 @@ typedef struct tl_shadow_map {
     uint32_t size; /* texels each way, of each view */
     /* Whose it is: the light that has these, bit for bit; 0 where its type has none. */
     float position[3], direction[3];
+    /* 1: of a spot's or a point light's, that its view is of what the camera sees, whatever its cone */
+    uint32_t is_fitted;
     float slack; /* m: how far surfaces in it may lie off their places, by what drew them */
     tl_camera views[TL_SHADOW_VIEWS]; /* those that the kind has */
     /* [views][size][size][2], owned: depth as the bits of a float, then slopes */
@@ -58,9 +61,13 @@ uint32_t tl_shadow_view_count(const tl_shadow_map *map);
 /* Bytes of all its texels. */
 size_t tl_shadow_map_size(const tl_shadow_map *map);
 
-/* Makes the views of a spot's or a cube's map: of its size, from its position and direction; outer_cone is
- * the light's, rad, at most TL_WIDEST_SHADOW_CONE. The nearest surfaces it sees are `near` m away. */
-void tl_shadow_views_from(tl_shadow_map *map, double outer_cone, double near);
+/* Makes the views of a spot's or a cube's map, of its size, from its position: a spot's is up to half_angle
+ * from the axis, of unit length, rad, at most TL_WIDEST_SHADOW_CONE; a cube asks for neither. The nearest
+ * surfaces that it sees are `near` m away. */
+void tl_shadow_views_from(tl_shadow_map *map,
+                          const float axis[3],
+                          double half_angle,
+                          double near);
 
 #define TL_DEFAULT_SHADOW_FILTER 2 /* texels: TL_MOST_SHADOW_FILTER at most */
 
