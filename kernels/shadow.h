@@ -19,6 +19,10 @@
  * stands in the light (which the map has), and only in the direction in which it falls: where the two slopes
  * are opposite it leaves a gap of a texel's width at most.
  *
+ * The point's own slope has five values: that of its normal, which normal maps and smooth shading turn away
+ * from its triangle's, and those of the four texels whose centres are around it, one of which is of its
+ * triangle where that is wider than a texel. h.(p - c) is the least of theirs.
+ *
  * What rounding needs beside that:
  *
  *   1. Places of surfaces, in the map and in the G-buffer, are off by metres: `slack` with what is known of
@@ -87,11 +91,12 @@ TL_INLINE vec3 seen_from_side(cube_side side, vec3 v)
 
 /* Where a surface point is in a map, and the depth of its plane there. */
 typedef struct shadow_place {
-    real x, y;             /* texels from the view's upper left corner */
-    real depth;            /* as texels have it */
-    real slope_x, slope_y; /* what that changes by, per texel */
-    real view;             /* of a cube's */
-    mask inside;           /* the view has all that the filter needs */
+    real x, y;                     /* texels from the view's upper left corner */
+    real depth;                    /* as texels have it */
+    real slope_x, slope_y;         /* what that changes by, per texel */
+    real around_x[4], around_y[4]; /* the same, of the texels around it */
+    real view;                     /* of a cube's */
+    mask inside;                   /* the view has all that the filter needs */
 } shadow_place;
 
 TL_INLINE vec3 along_rows(tl_view_shadow map, vec3 v)
@@ -143,6 +148,56 @@ TL_INLINE shadow_place place_in_shadow(tl_view_shadow map, vec3 v, vec3 normal, 
                          side.view);
 }
 
+/* A texel's depth, and what that changes by. */
+typedef struct shadow_texel {
+    real depth, slope_x, slope_y;
+} shadow_texel;
+
+/* Of what depths and slopes are shares. */
+TL_INLINE real shadow_unit(tl_view_shadow map, real depth)
+{
+    return map.kind == TL_SHADOW_PARALLEL ? (real)R(1.0) : depth;
+}
+
+TL_INLINE shadow_texel texel_of_shadow(tl_view_shadow map, tl_numbers texels, integer i)
+{
+    shadow_texel texel;
+    texel.depth = GATHER(texels, i * 2);
+    const word32 slopes = GATHER_WORDS(texels, i * 2 + 1);
+    const real per_slope =
+        shadow_unit(map, texel.depth) * (real)(R(1.0) / (scalar)TL_SLOPE_SCALE);
+    texel.slope_x = value_of_half(slopes, 0u) * per_slope;
+    texel.slope_y = value_of_half(slopes, 16u) * per_slope;
+    return texel;
+}
+
+TL_INLINE tl_numbers texels_of_shadow(tl_numbers numbers, tl_view_shadow map)
+{
+    return numbers + (size_t)map.texels_at * 4;
+}
+
+/* The index of a texel of the place's view. */
+TL_INLINE integer shadow_index(tl_view_shadow map, shadow_place at, integer column, integer row)
+{
+    const integer size = (integer)(int)map.size;
+    return (TO_INTEGER(at.view) * size + row) * size + column;
+}
+
+/* The place with the slopes around it: of the four texels whose centres are around (x, y). */
+TL_INLINE shadow_place
+with_slopes_around(tl_numbers numbers, tl_view_shadow map, shadow_place at, real x, real y)
+{
+    const tl_numbers texels = texels_of_shadow(numbers, map);
+    const integer first = shadow_index(map, at, TO_INTEGER(x - R(0.5)), TO_INTEGER(y - R(0.5)));
+    for (int k = 0; k < 4; k++) {
+        const integer i = first + (integer)((k >> 1) * (int)map.size + (k & 1));
+        const shadow_texel texel = texel_of_shadow(map, texels, i);
+        at.around_x[k] = texel.slope_x;
+        at.around_y[k] = texel.slope_y;
+    }
+    return at;
+}
+
 /* What texel i of the map leaves lit of a place that is (x, y) away from its centre. off: parts of a texel
  * beyond TL_SHADOW_PLACE by which the place may be off. */
 TL_INLINE mask is_before_texel(tl_view_shadow map,
@@ -153,20 +208,20 @@ TL_INLINE mask is_before_texel(tl_view_shadow map,
                                real y,
                                scalar off)
 {
-    const real depth = GATHER(texels, i * 2);
-    const word32 slopes = GATHER_WORDS(texels, i * 2 + 1);
-    const real unit = map.kind == TL_SHADOW_PARALLEL ? (real)R(1.0) : depth;
-    const real per_slope = unit * (real)(R(1.0) / (scalar)TL_SLOPE_SCALE);
-    const real slope_x = value_of_half(slopes, 0u) * per_slope;
-    const real slope_y = value_of_half(slopes, 16u) * per_slope;
-    const real by_texel = FMA(slope_x, x, slope_y * y);
+    const shadow_texel texel = texel_of_shadow(map, texels, i);
+    const real by_texel = FMA(texel.slope_x, x, texel.slope_y * y);
     const real by_place = FMA(at.slope_x, x, at.slope_y * y);
-    const real lower = pick(by_texel < by_place, by_texel, by_place);
+    real lower = pick(by_texel < by_place, by_texel, by_place);
+    for (int k = 0; k < 4; k++) {
+        const real around = FMA(at.around_x[k], x, at.around_y[k] * y);
+        lower = pick(around < lower, around, lower);
+    }
     const real fall = pick(lower < R(0.0), lower, R(0.0));
-    const real rough = (ABSOLUTE(slope_x) + ABSOLUTE(slope_y)) * (TL_SHADOW_PLACE + off);
-    const real least =
-        depth + fall * (R(1.0) + TL_SHADOW_PLACE) - rough - unit * TL_SHADOW_DEPTH;
-    return !(at.depth < least) | !(depth > R(0.0));
+    const real rough =
+        (ABSOLUTE(texel.slope_x) + ABSOLUTE(texel.slope_y)) * (TL_SHADOW_PLACE + off);
+    const real least = texel.depth + fall * (R(1.0) + TL_SHADOW_PLACE) - rough -
+                       shadow_unit(map, texel.depth) * TL_SHADOW_DEPTH;
+    return !(at.depth < least) | !(texel.depth > R(0.0));
 }
 
 /* How much of a row or column of texels a filter covers: all, but for the first and the last. */
@@ -175,17 +230,17 @@ TL_INLINE real covered(tl_u32 i, tl_u32 filter, real part)
     return i == 0u ? (real)R(1.0) - part : i == filter ? part : (real)R(1.0);
 }
 
-/* The share of light at a place, exactly 0 and exactly 1 where texels agree. numbers: the buffer of
+/* The share of light at a place with slopes around it, exactly 0 and exactly 1 where texels agree. numbers: the buffer of
  * lights. */
 TL_INLINE real share_at(tl_numbers numbers, tl_view_shadow map, shadow_place at, scalar off)
 {
-    const tl_numbers texels = numbers + (size_t)map.texels_at * 4;
+    const tl_numbers texels = texels_of_shadow(numbers, map);
     const real half_width = (real)(R(0.5) * (scalar)map.filter);
     const integer column = TO_INTEGER(at.x - half_width), row = TO_INTEGER(at.y - half_width);
     const real part_x = at.x - half_width - TO_REAL(column);
     const real part_y = at.y - half_width - TO_REAL(row);
     const integer size = (integer)(int)map.size;
-    const integer first = (TO_INTEGER(at.view) * size + row) * size + column;
+    const integer first = shadow_index(map, at, column, row);
     real dark = R(0.0);
     mask any_lit = !at.inside;
     for (tl_u32 j = 0; j <= map.filter; j++)
@@ -204,13 +259,14 @@ TL_INLINE real share_at(tl_numbers numbers, tl_view_shadow map, shadow_place at,
     return pick(at.inside, pick(any_lit, share, R(0.0)), R(1.0));
 }
 
-/* Where the surface's point is looked up: moved by what places may be off. l: to the light, m, or of a
- * directional light its direction. */
-TL_INLINE vec3 shadowed_point(tl_view_shadow map, surface s, vec3 l)
+/* Where the surface's point is looked up: moved by what places may be off, and by TL_SHADOW_OFFSET. l: to the
+ * light, of this length, m, or of a directional light its direction. */
+TL_INLINE vec3 shadowed_point(tl_view_shadow map, surface s, vec3 l, real distance)
 {
     const real depth = -s.position.z;
     const real off =
-        FMA(depth, FMA(depth, map.slack_per_depth2, map.slack_per_depth), map.slack);
+        FMA(depth, FMA(depth, map.slack_per_depth2, map.slack_per_depth), map.slack) +
+        distance * map.offset;
     const vec3 from_light = {-l.x, -l.y, -l.z};
     return fma3(s.normal, off, map.kind == TL_SHADOW_PARALLEL ? s.position : from_light);
 }
@@ -227,10 +283,9 @@ TL_INLINE real facing_shadow(real facing, real distance)
 TL_INLINE real unshadowed_share(
     tl_numbers numbers, tl_view_shadow map, surface s, vec3 l, real distance, real facing)
 {
-    return share_at(numbers, map,
-                    place_in_shadow(map, shadowed_point(map, s, l), s.normal,
-                                    facing_shadow(facing, distance)),
-                    R(0.0));
+    const shadow_place at = place_in_shadow(map, shadowed_point(map, s, l, distance), s.normal,
+                                            facing_shadow(facing, distance));
+    return share_at(numbers, map, with_slopes_around(numbers, map, at, at.x, at.y), R(0.0));
 }
 
 TL_INLINE tl_view_shadow shadow_behind(tl_numbers numbers, tl_u32 shadow_at)

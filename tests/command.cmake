@@ -6,10 +6,10 @@ tl_test(test_command_promise command tl_base PkgConfig::JANSSON)
 
 # Rays that shadow maps are held against.
 find_package(embree 3 CONFIG REQUIRED)
-add_library(tl_rays STATIC rays/ray_scene.c)
+add_library(tl_rays STATIC rays/ray_scene.c rays/asset_view.c)
 target_include_directories(tl_rays PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}
                            PRIVATE ${PROJECT_SOURCE_DIR}/raster/model ${PROJECT_SOURCE_DIR}/raster/gltf)
-target_link_libraries(tl_rays PUBLIC tl_raster PRIVATE embree m)
+target_link_libraries(tl_rays PUBLIC tl_raster PRIVATE embree PkgConfig::JANSSON m)
 tl_test(test_shadow_rays raster tl_rays tl_reference tl_files)
 tl_test(test_shadow_lit device tl_raster tl_lighting tl_files)
 

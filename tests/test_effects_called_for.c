@@ -15,7 +15,7 @@
 #define OCCLUSION (TL_GROUP_BASE | TL_GROUP_OCCLUSION)
 #define EMISSION (TL_GROUP_BASE | TL_GROUP_EMISSIVE)
 #define INDEXED (TL_GROUP_BASE | TL_GROUP_BRDF)
-#define SHAPES (ON(TABLE) | ON(PROJECTED) | ON(AROUND) | ON(AMBIENT_LOBE))
+#define SHAPES (ON(TABLE) | ON(PROJECTED) | ON(AROUND) | ON(AMBIENT_LOBE) | ON(SHADOWS))
 #define ANY_LIGHT .intensity = 1.0f, .diffuse = 1.0f
 
 typedef struct lamp {
@@ -26,6 +26,7 @@ typedef struct lamp {
     float cone; /* outer half-angle */
     float intensity, diffuse, specular, ambient;
     int has_texture;
+    int casts_shadow, has_map;
 } lamp;
 
 typedef struct scene {
@@ -104,6 +105,12 @@ static const scene minimal[TL_EFFECT_COUNT] = {
          .effects = ON(GLOBAL) | ON(DIRECTIONAL) | ON(AMBIENT_LOBE) | ON(AMBIENT),
          .needs = {.falloffs = FADE(NONE), .ambient = 1, .shapes = TL_SHAPE_AMBIENT},
          .light_count = 1},
+    [TL_EFFECT_SHADOWS] = {"a light that casts shadows, and its map", TL_GROUP_BASE,
+                           .lamps = {{ANY_LIGHT, .casts_shadow = 1, .has_map = 1}},
+                           .effects = ON(GLOBAL) | ON(INVERSE_SQUARE) | ON(SHADOWS),
+                           .needs = {.falloffs = FADE(INVERSE_SQUARE),
+                                     .shapes = TL_SHAPE_SHADOW},
+                           .light_count = 1},
     [TL_EFFECT_SKY_GRADIENT] = {"a gradient", TL_GROUP_BASE, .sky = 0.5f,
                                 .sky_type = TL_SKY_GRADIENT, .effects = ON(SKY_GRADIENT),
                                 .needs = {.sky = TL_GRADIENT_SKY}},
@@ -221,6 +228,15 @@ static const scene others[] = {
     {"an ambient lobe of no intensity", OCCLUSION,
      .lamps = {{.ambient = 0.5f, .diffuse = 1.0f}}, .needs = {.idle = TL_GROUP_OCCLUSION},
      .idle = {[TL_IDLE_BLACK] = 1}},
+    {"a light that casts shadows, without a map", TL_GROUP_BASE,
+     .lamps = {{ANY_LIGHT, .casts_shadow = 1}}, .effects = ON(GLOBAL) | ON(INVERSE_SQUARE),
+     .needs = {.falloffs = FADE(INVERSE_SQUARE)}, .light_count = 1},
+    {"a map of a light that casts no shadows", TL_GROUP_BASE,
+     .lamps = {{ANY_LIGHT, .has_map = 1}}, .effects = ON(GLOBAL) | ON(INVERSE_SQUARE),
+     .needs = {.falloffs = FADE(INVERSE_SQUARE)}, .light_count = 1},
+    {"a light of no intensity that casts shadows", TL_GROUP_BASE,
+     .lamps = {{.diffuse = 1.0f, .casts_shadow = 1, .has_map = 1}},
+     .idle = {[TL_IDLE_BLACK] = 1}},
     {"a black gradient", TL_GROUP_BASE, .sky_type = TL_SKY_GRADIENT},
     {"an image that is shown black", TL_GROUP_BASE, .sky_type = TL_SKY_IMAGE},
     {"occlusion without ambient light", OCCLUSION, .needs = {.idle = TL_GROUP_OCCLUSION}},
@@ -265,7 +281,7 @@ static const scene others[] = {
      .lamps = {{.diffuse = 1.0f, .range = 1.0f}},
      .effects = ON(RANGED) | ON(DIRECTIONAL) | ON(INVERSE_SQUARE) | ON(LINEAR) |
                 ON(LINEAR_FROM) | ON(SPOTS) | ON(AMBIENT) | SHAPES,
-     .needs = {.falloffs = (1u << TL_FADE_COUNT) - 1u, .spots = 1, .ambient = 1, .shapes = 15},
+     .needs = {.falloffs = (1u << TL_FADE_COUNT) - 1u, .spots = 1, .ambient = 1, .shapes = 31},
      .light_count = 1, .idle = {[TL_IDLE_BLACK] = 1}},
     {"all effects of a frame with every plane", PHONG | OCCLUSION | EMISSION,
      .neutral = TL_THREE(TL_SPECULAR_R) | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE,
@@ -276,7 +292,7 @@ static const scene others[] = {
                .spots = 1,
                .specular = 1,
                .ambient = 1,
-               .shapes = 15}},
+               .shapes = 31}},
 };
 
 /* An image of one pixel. */
@@ -288,6 +304,15 @@ static uint32_t add_pixel(tl_light_set *set)
     assert_non_null(pixels);
     ASSERT_OK(tl_light_set_add_image(set, "one pixel", 1, 1, pixels, &image, &err), err);
     return image;
+}
+
+/* Of a point light in the camera's place. */
+static void add_map(tl_gbuffer *g)
+{
+    tl_shadow_map map = {.kind = TL_SHADOW_CUBE, .size = TL_LEAST_SHADOW_SIZE};
+    tl_error err;
+    tl_shadow_views_from(&map, NULL, 0.0, 0.1);
+    ASSERT_OK(tl_shadow_maps_add(&g->shadows, &map, &err), err);
 }
 
 static void add_lamp(tl_light_set *set, const lamp *from)
@@ -309,6 +334,7 @@ static void add_lamp(tl_light_set *set, const lamp *from)
     light.diffuse = from->diffuse;
     light.specular = from->specular;
     light.ambient = from->ambient;
+    light.casts_shadow = (uint32_t)from->casts_shadow;
     if (from->falloff == TL_FALLOFF_TABLE)
         ASSERT_OK(tl_light_set_add_table(set, (float[]){1.0f, 0.0f}, 2, &light.table, &err),
                   err);
@@ -335,8 +361,11 @@ static tl_prepared prepared_of(const scene *s)
     lights.sky_intensity = s->sky_type == TL_SKY_IMAGE ? s->sky : 0.0f;
     if (s->sky_type == TL_SKY_IMAGE)
         lights.sky_image = add_pixel(&lights);
-    for (size_t i = 0; i < COUNT_OF(s->lamps); i++)
+    for (size_t i = 0; i < COUNT_OF(s->lamps); i++) {
         add_lamp(&lights, &s->lamps[i]);
+        if (s->lamps[i].has_map)
+            add_map(g);
+    }
     if (s->row > 0) {
         tl_material_row row = tl_material_row_default();
         row.index = s->row;

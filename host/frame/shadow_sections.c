@@ -118,6 +118,7 @@ static void set_perspective(const tl_camera *camera,
     out->right_at = (float)(-(double)view->left * scale);
     out->down_at = (float)((double)view->top * scale);
     out->near = view->near;
+    out->offset = (float)(TL_SHADOW_OFFSET / scale);
     out->slope_x = out->slope_y = (float)((double)view->near / scale);
 }
 
@@ -146,6 +147,7 @@ static void set_parallel(const tl_camera *camera, const tl_shadow_map *map, tl_v
     set_row(camera, world, -per_depth, out->ahead);
     out->right_at = (float)((origin[0] - (double)view->left) * scale_x);
     out->down_at = (float)(((double)view->top - origin[1]) * scale_y);
+    out->offset = (float)(TL_SHADOW_OFFSET / fmin(scale_x, scale_y));
     out->ahead_at = (float)(((double)view->far + origin[2]) * per_depth);
     out->slope_x = (float)(per_depth / (scale_x * scale_x));
     out->slope_y = (float)(per_depth / (scale_y * scale_y));

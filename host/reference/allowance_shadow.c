@@ -55,19 +55,28 @@ static displaced displacement(
     return d;
 }
 
-/* The share between the ends of what may be. */
-static interval share_within(tl_numbers numbers,
-                             tl_view_shadow map,
-                             shadow_place at,
-                             displaced d)
+static interval either(interval a, interval b)
 {
+    return (interval){fmin(a.low, b.low), fmax(a.high, b.high)};
+}
+
+/* The share between the ends of what may be, with slopes of the texels around (x, y). */
+static interval share_around(
+    tl_numbers numbers, tl_view_shadow map, shadow_place place, displaced d, double x, double y)
+{
+    const shadow_place at = with_slopes_around(numbers, map, place, x, y);
     const double filter = (double)map.filter, half = 0.5 * (filter + 1.0);
-    const double unit = map.kind == TL_SHADOW_PARALLEL ? 1.0 : at.depth;
+    const double unit = shadow_unit(map, at.depth);
     const double off = fmax(d.x, d.y) + 16.0 * U * half;
+    double slope_x = fabs(at.slope_x), slope_y = fabs(at.slope_y);
+    for (int k = 0; k < 4; k++) {
+        slope_x = fmax(slope_x, fabs(at.around_x[k]));
+        slope_y = fmax(slope_y, fabs(at.around_y[k]));
+    }
     const double depth = d.depth + 8.0 * U * (unit + at.depth) +
-                         (1.0 + 0x1p-7) * ((d.slope_x + fabs(at.slope_x) * 16.0 * U) * half +
-                                           (d.slope_y + fabs(at.slope_y) * 16.0 * U) * half +
-                                           fabs(at.slope_x) * d.x + fabs(at.slope_y) * d.y);
+                         (1.0 + 0x1p-7) * ((d.slope_x + slope_x * 16.0 * U) * half +
+                                           (d.slope_y + slope_y * 16.0 * U) * half +
+                                           slope_x * d.x + slope_y * d.y);
     const double areas = (d.x + d.y) / filter + ((filter + 1.0) * (filter + 1.0) + 8.0) * U;
     shadow_place darker = at, lighter = at;
     darker.depth = at.depth - depth;
@@ -77,9 +86,22 @@ static interval share_within(tl_numbers numbers,
     return (interval){clamp_low(share.low - areas), fmin(share.high + areas, 1.0)};
 }
 
-static interval either(interval a, interval b)
+/* That, with the texels around each place that may be meant. */
+static interval share_within(tl_numbers numbers,
+                             tl_view_shadow map,
+                             shadow_place at,
+                             displaced d)
 {
-    return (interval){fmin(a.low, b.low), fmax(a.high, b.high)};
+    const double xs[2] = {at.x - d.x, at.x + d.x}, ys[2] = {at.y - d.y, at.y + d.y};
+    interval share = {1.0, 0.0};
+    for (int j = 0; j < 2; j++)
+        for (int i = 0; i < 2; i++) {
+            const int is_same_column = i == 1 && floor(xs[1] - 0.5) == floor(xs[0] - 0.5);
+            const int is_same_row = j == 1 && floor(ys[1] - 0.5) == floor(ys[0] - 0.5);
+            if (!is_same_column && !is_same_row)
+                share = either(share, share_around(numbers, map, at, d, xs[i], ys[j]));
+        }
+    return share;
 }
 
 /* Whether it is so near to the end of what the map sees that kernels may find it beyond. */
@@ -145,7 +167,7 @@ interval tl_shadow_allowance(const tl_prepared *prepared,
     const tl_numbers numbers = (tl_numbers)prepared->lights;
     const tl_view_shadow map = shadow_behind(numbers, shape->shadow_at);
     const int is_parallel = map.kind == TL_SHADOW_PARALLEL;
-    const vec3 point = shadowed_point(map, s->exact, w->l);
+    const vec3 point = shadowed_point(map, s->exact, w->l, w->exact);
     const double moved = point_moved(s, w, point, is_parallel);
     const double cosine = n_dot_l->exact, grazing = (double)TL_SHADOW_GRAZING;
     const double cosine_off = fmax(cosine - n_dot_l->cosine.low, n_dot_l->cosine.high - cosine);

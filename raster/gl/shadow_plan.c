@@ -1,19 +1,11 @@
 #include "shadow_plan.h"
 
+#include "shadow_size.h"
 #include "try.h"
-#include "visible_box.h"
-
-#include "tilelight/bounds.h"
+#include "visible_points.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-/* Texels each way, at most: beyond, a texel is smaller than a pixel of nearly any picture. */
-static const uint32_t most_size[TL_SHADOW_KIND_COUNT] = {
-    [TL_SHADOW_SPOT] = 2048,
-    [TL_SHADOW_PARALLEL] = 4096,
-    [TL_SHADOW_CUBE] = 1024,
-};
 
 /* Surfaces nearer to a light than this share of the scene's extent cast no shadow. Depth is as fine
  * whatever it is (kernels/shadow_code.h). */
@@ -30,23 +22,23 @@ typedef struct planning {
     double extent, largest; /* m: its diagonal; its largest coordinate */
     bool sees;              /* whether the camera sees anything, and the box around that, m */
     double seen[2][3];
+    tl_seen_points points;
 } planning;
 
 static const double axes_of_world[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
-static bool begin(const tl_model *model, const tl_gbuffer *gbuffer, planning *p)
+static void begin(const double box[2][3], const tl_gbuffer *gbuffer, planning *p)
 {
     double square = 0.0;
-    *p = (planning){.gbuffer = gbuffer};
-    if (!tl_model_bounds(model, p->low, p->high))
-        return false;
+    p->gbuffer = gbuffer;
     for (int i = 0; i < 3; i++) {
+        p->low[i] = box[0][i];
+        p->high[i] = box[1][i];
         square += (p->high[i] - p->low[i]) * (p->high[i] - p->low[i]);
         p->largest = fmax(p->largest, fmax(fabs(p->low[i]), fabs(p->high[i])));
     }
     p->extent = sqrt(square);
     p->sees = tl_visible_box(gbuffer, axes_of_world, p->seen);
-    return true;
 }
 
 static uint32_t kind_for(const tl_light *light)
@@ -56,33 +48,6 @@ static uint32_t kind_for(const tl_light *light)
     return light->type == TL_LIGHT_SPOT && light->outer_cone <= TL_WIDEST_SHADOW_CONE
                ? TL_SHADOW_SPOT
                : TL_SHADOW_CUBE;
-}
-
-/* The longer side of what its reach may cover of the picture, px. */
-static uint32_t pixels_across(const tl_camera *camera, const tl_light *light)
-{
-    const uint32_t whole = camera->width > camera->height ? camera->width : camera->height;
-    if (light->type == TL_LIGHT_DIRECTIONAL || isinf(light->range))
-        return whole;
-    tl_pixel_rect rect;
-    float center[3];
-    double world[3], view[3];
-    for (int i = 0; i < 3; i++)
-        world[i] = (double)light->position[i];
-    tl_camera_view_point(camera, world, view);
-    for (int i = 0; i < 3; i++)
-        center[i] = (float)view[i];
-    tl_sphere_bounds(camera, center, light->range, &rect);
-    const uint32_t width = rect.x1 - rect.x0, height = rect.y1 - rect.y0;
-    return width > height ? width : height;
-}
-
-static uint32_t size_for(uint32_t kind, uint32_t pixels)
-{
-    uint32_t size = TL_LEAST_SHADOW_SIZE;
-    while (size < pixels && size < most_size[kind])
-        size *= 2;
-    return size;
 }
 
 static bool gives_light(const tl_light *light)
@@ -115,30 +80,45 @@ static bool find_cone(const planning *p, const float position[3], float axis[3],
     return length2 > 0.0 && *angle < (double)TL_WIDEST_SHADOW_CONE;
 }
 
-/* Point lights, and spots, see as little as they have to: their cone, or all that the camera sees. */
-static void choose_view(const planning *p, const tl_light *light, tl_shadow_map *map)
+/* Point lights, and spots, see as little as they have to: their cone, or all that the camera sees. Returns the
+ * tangent of half of how wide their view is. */
+static double choose_view(const planning *p, const tl_light *light, tl_shadow_map *map)
 {
     float axis[3];
     double angle;
-    if (map->kind == TL_SHADOW_PARALLEL || !p->sees ||
-        !find_cone(p, map->position, axis, &angle) ||
+    const double own = map->kind == TL_SHADOW_CUBE ? 1.0 : tan((double)light->outer_cone);
+    if (!p->sees || !find_cone(p, map->position, axis, &angle) ||
         (map->kind == TL_SHADOW_SPOT && angle >= (double)light->outer_cone))
-        return;
+        return own;
     map->kind = TL_SHADOW_SPOT;
     map->is_fitted = 1;
+    return tan(angle);
+}
+
+/* How wide what the camera sees is across a direction, m. */
+static double span_across(const planning *p, const float direction[3])
+{
+    double rows[3][3], seen[2][3];
+    tl_shadow_axes(direction, rows);
+    if (!tl_visible_box(p->gbuffer, (const double(*)[3])rows, seen))
+        return 0.0;
+    return fmax(seen[1][0] - seen[0][0], seen[1][1] - seen[0][1]);
 }
 
 /* The map of a light, without texels and views. */
 static tl_shadow_map map_for(const planning *p, const tl_light *light)
 {
     tl_shadow_map map = {.kind = kind_for(light)};
-    double largest = p->largest;
-    if (light->type != TL_LIGHT_DIRECTIONAL)
-        memcpy(map.position, light->position, sizeof map.position);
+    double largest = p->largest, tangent = 0.0, span = 0.0;
     if (light->type != TL_LIGHT_POINT)
         memcpy(map.direction, light->direction, sizeof map.direction);
-    choose_view(p, light, &map);
-    map.size = size_for(map.kind, pixels_across(&p->gbuffer->camera, light));
+    if (light->type == TL_LIGHT_DIRECTIONAL) {
+        span = span_across(p, map.direction);
+    } else {
+        memcpy(map.position, light->position, sizeof map.position);
+        tangent = choose_view(p, light, &map);
+    }
+    map.size = tl_shadow_size_for(&p->points, light, map.kind, tangent, span);
     for (int i = 0; i < 3; i++)
         largest = fmax(largest, fabs((double)map.position[i]));
     map.slack = (float)(misplaced * largest);
@@ -178,25 +158,34 @@ static bool find_views(const planning *p, const tl_light *light, tl_shadow_map *
     return true;
 }
 
-static uint64_t size_of_all(const tl_shadow_map *maps, size_t count)
+static uint32_t shrunk(uint32_t size, double share)
+{
+    const uint32_t to = (uint32_t)(size * share);
+    return to > TL_LEAST_SHADOW_SIZE ? to : TL_LEAST_SHADOW_SIZE;
+}
+
+/* Of all, each `share` as many texels wide as wanted, but for those that are as small as they get. */
+static uint64_t size_of_all(const tl_shadow_map *maps, size_t count, double share)
 {
     uint64_t size = 0;
-    for (size_t i = 0; i < count; i++)
-        size += tl_shadow_map_size(&maps[i]);
+    for (size_t i = 0; i < count; i++) {
+        tl_shadow_map map = maps[i];
+        map.size = shrunk(map.size, share);
+        size += tl_shadow_map_size(&map);
+    }
     return size;
 }
 
-/* False: they are as small as they get. */
-static bool halve_largest(tl_shadow_map *maps, size_t count)
+/* The largest share, in 4096ths, with which all fit; 0: none does. */
+static double share_within(uint64_t memory, const tl_shadow_map *maps, size_t count)
 {
-    tl_shadow_map *largest = NULL;
-    for (size_t i = 0; i < count; i++)
-        if (maps[i].size > TL_LEAST_SHADOW_SIZE &&
-            (!largest || tl_shadow_map_size(&maps[i]) > tl_shadow_map_size(largest)))
-            largest = &maps[i];
-    if (largest)
-        largest->size /= 2;
-    return largest != NULL;
+    enum { STEPS = 4096 };
+    uint32_t fits = 0;
+    for (uint32_t step = STEPS; step > 0; step /= 2)
+        if (fits + step <= STEPS &&
+            size_of_all(maps, count, (double)(fits + step) / STEPS) <= memory)
+            fits += step;
+    return (double)fits / STEPS;
 }
 
 static tl_status keep_within(uint64_t memory,
@@ -205,22 +194,22 @@ static tl_status keep_within(uint64_t memory,
                              const tl_notices *notices,
                              tl_error *err)
 {
-    const uint64_t wanted = size_of_all(maps, count);
-    bool smaller = true;
-    while (size_of_all(maps, count) > memory && smaller)
-        smaller = halve_largest(maps, count);
-    if (!smaller)
+    const double share = share_within(memory, maps, count);
+    if (share == 0.0)
         return tl_fail(err, TL_ERR_ARGUMENT,
                        "shadow maps of %zu lights take %llu KiB at their smallest, more than "
                        "the %llu that they may; allow more, or let fewer lights cast shadows",
-                       count, (unsigned long long)(size_of_all(maps, count) >> 10),
+                       count, (unsigned long long)(size_of_all(maps, count, 0.0) >> 10),
                        (unsigned long long)(memory >> 10));
-    if (size_of_all(maps, count) < wanted)
+    if (share < 1.0)
         tl_notice(notices,
-                  "shadow maps of %zu lights would take %llu MiB: the largest are halved until "
-                  "all take %llu",
-                  count, (unsigned long long)(wanted >> 20),
-                  (unsigned long long)(size_of_all(maps, count) >> 20));
+                  "shadow maps of %zu lights would take %llu MiB: all are made smaller, by "
+                  "%.0f %% each way, "
+                  "to take %llu",
+                  count, (unsigned long long)(size_of_all(maps, count, 1.0) >> 20),
+                  100.0 * (1.0 - share), (unsigned long long)(memory >> 20));
+    for (size_t i = 0; i < count; i++)
+        maps[i].size = shrunk(maps[i].size, share);
     return TL_OK;
 }
 
@@ -250,20 +239,24 @@ tl_status tl_shadow_plan(const tl_model *model,
                          tl_error *err)
 {
     tl_status status = TL_OK;
-    planning p;
-    if (lights->count == 0 || !begin(model, gbuffer, &p))
+    planning p = {0};
+    double box[2][3];
+    if (lights->count == 0 || !tl_model_bounds(model, box[0], box[1]))
         return TL_OK;
+    begin((const double(*)[3])box, gbuffer, &p);
     tl_shadow_map *maps = calloc(lights->count, sizeof *maps);
     const tl_light **sources = calloc(lights->count, sizeof(tl_light *));
     if (!maps || !sources)
         TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for a plan of %zu shadow maps",
                     lights->count));
+    TRY(tl_seen_points_of(gbuffer, &p.points, err));
     const size_t count = list_maps(&p, lights, maps, sources);
     TRY(keep_within(memory, maps, count, notices, err));
     for (size_t i = 0; i < count; i++)
         if (find_views(&p, sources[i], &maps[i]))
             TRY(tl_shadow_maps_add(out, &maps[i], err));
 done:
+    tl_seen_points_clear(&p.points);
     free(maps);
     free((void *)sources);
     return status;

@@ -120,8 +120,7 @@ static void let_through(const struct RTCFilterFunctionNArguments *arguments)
 {
     const masked *m = arguments->geometryUserPtr;
     const struct RTCHit *hit = (const struct RTCHit *)(const void *)arguments->hit;
-    if (arguments->valid[0] != 0 &&
-        is_hole(m, hit->primID, (double)hit->u, (double)hit->v))
+    if (arguments->valid[0] != 0 && is_hole(m, hit->primID, (double)hit->u, (double)hit->v))
         arguments->valid[0] = 0;
 }
 
@@ -181,6 +180,7 @@ static tl_status add_draw(ray_scene *s, size_t draw, tl_error *err)
         TRY(prepare_mask(s, draw, err));
         rtcSetGeometryUserData(geometry, m);
         rtcSetGeometryOccludedFilterFunction(geometry, let_through);
+        rtcSetGeometryIntersectFilterFunction(geometry, let_through);
     }
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(s->scene, geometry);
@@ -230,6 +230,22 @@ void ray_scene_close(ray_scene *s)
     free(s);
 }
 
+static struct RTCRay ray_of(const double from[3],
+                            const double direction[3],
+                            double near,
+                            double far)
+{
+    return (struct RTCRay){.org_x = (float)from[0],
+                           .org_y = (float)from[1],
+                           .org_z = (float)from[2],
+                           .dir_x = (float)direction[0],
+                           .dir_y = (float)direction[1],
+                           .dir_z = (float)direction[2],
+                           .tnear = (float)near,
+                           .tfar = (float)far,
+                           .mask = ~0u};
+}
+
 bool ray_scene_blocks(const ray_scene *s,
                       const double from[3],
                       const double direction[3],
@@ -237,16 +253,33 @@ bool ray_scene_blocks(const ray_scene *s,
                       double far)
 {
     struct RTCIntersectContext context;
-    struct RTCRay ray = {.org_x = (float)from[0],
-                         .org_y = (float)from[1],
-                         .org_z = (float)from[2],
-                         .dir_x = (float)direction[0],
-                         .dir_y = (float)direction[1],
-                         .dir_z = (float)direction[2],
-                         .tnear = (float)near,
-                         .tfar = (float)far,
-                         .mask = ~0u};
+    struct RTCRay ray = ray_of(from, direction, near, far);
     rtcInitIntersectContext(&context);
     rtcOccluded1(s->scene, &context, &ray);
     return ray.tfar < 0.0f;
+}
+
+bool ray_scene_normal(const ray_scene *s,
+                      const double from[3],
+                      const double direction[3],
+                      double near,
+                      double far,
+                      double normal[3])
+{
+    struct RTCIntersectContext context;
+    struct RTCRayHit met = {.ray = ray_of(from, direction, near, far),
+                            .hit.geomID = RTC_INVALID_GEOMETRY_ID};
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(s->scene, &context, &met);
+    const double across[3] = {(double)met.hit.Ng_x, (double)met.hit.Ng_y, (double)met.hit.Ng_z};
+    double along = 0.0, square = 0.0;
+    for (int i = 0; i < 3; i++) {
+        along += across[i] * direction[i];
+        square += across[i] * across[i];
+    }
+    if (met.hit.geomID == RTC_INVALID_GEOMETRY_ID || !(square > 0.0))
+        return false;
+    for (int i = 0; i < 3; i++)
+        normal[i] = copysign(1.0 / sqrt(square), -along) * across[i];
+    return true;
 }

@@ -24,4 +24,13 @@ bool ray_scene_blocks(const ray_scene *scene,
                       double near,
                       double far);
 
+/* The normal of the first triangle on such a way, of unit length, on the side that the ray comes from. False:
+ * there is none, and `normal` is left alone. On any thread. */
+bool ray_scene_normal(const ray_scene *scene,
+                      const double from[3],
+                      const double direction[3],
+                      double near,
+                      double far,
+                      double normal[3]);
+
 #endif

@@ -1,8 +1,9 @@
-#include "visible_box.h"
+#include "visible_points.h"
 
 #include "packing.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Along the rows: where the camera stands, and its right, up and back. */
 typedef struct turned_camera {
@@ -31,14 +32,6 @@ static turned_camera turn(const tl_camera *camera, const double rows[3][3])
     return t;
 }
 
-static void widen(double around[2][3], const double p[3])
-{
-    for (int i = 0; i < 3; i++) {
-        around[0][i] = fmin(around[0][i], p[i]);
-        around[1][i] = fmax(around[1][i], p[i]);
-    }
-}
-
 /* The surface of a pixel, along the rows. */
 static void place(const tl_unpacking *of,
                   const turned_camera *camera,
@@ -56,31 +49,60 @@ static void place(const tl_unpacking *of,
                  depth * camera->axes[2][i];
 }
 
-bool tl_visible_box(const tl_gbuffer *gbuffer, const double rows[3][3], double out[2][3])
+static void visit_pixel(const tl_unpacking *of,
+                        const turned_camera *camera,
+                        uint32_t column,
+                        uint32_t row,
+                        double depth,
+                        tl_point_visitor visit,
+                        void *context)
+{
+    const bool is_parallel = of->from->camera.projection == TL_ORTHOGRAPHIC;
+    double at[3];
+    if (!isfinite(depth) || (!is_parallel && depth <= 0.0))
+        return;
+    place(of, camera, column, row, depth, at);
+    visit(context, at, fabs((double)of->frame.rays.dy) * (is_parallel ? 1.0 : depth));
+}
+
+void tl_visit_visible_points(const tl_gbuffer *gbuffer,
+                             const double rows[3][3],
+                             uint32_t step,
+                             tl_point_visitor visit,
+                             void *context)
 {
     enum { SPAN = 256 };
     const tl_unpacking unpacking = tl_unpacking_of(gbuffer);
     const turned_camera camera = turn(&gbuffer->camera, rows);
     const uint32_t width = gbuffer->camera.width;
-    const bool is_parallel = gbuffer->camera.projection == TL_ORTHOGRAPHIC;
-    double around[2][3] = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-    for (uint32_t row = 0; row < gbuffer->camera.height; row++)
+    for (uint32_t row = 0; row < gbuffer->camera.height; row += step)
         for (uint32_t begin = 0; begin < width; begin += SPAN) {
             const uint32_t end = width - begin < SPAN ? width : begin + SPAN;
+            const uint32_t first = (begin + step - 1) / step * step;
             float depths[SPAN], *to[TL_PLANE_COUNT] = {[TL_DEPTH] = depths};
             tl_unpack_span(&unpacking, row, begin, end, to);
-            for (uint32_t x = begin; x < end; x++) {
-                const double depth = (double)depths[x - begin];
-                double p[3];
-                if (!isfinite(depth) || (!is_parallel && depth <= 0.0))
-                    continue;
-                place(&unpacking, &camera, x, row, depth, p);
-                widen(around, p);
-            }
+            for (uint32_t x = first; x < end; x += step)
+                visit_pixel(&unpacking, &camera, x, row, (double)depths[x - begin], visit,
+                            context);
         }
+}
+
+static void widen(void *context, const double at[3], double width)
+{
+    double(*const around)[3] = context;
+    (void)width;
+    for (int i = 0; i < 3; i++) {
+        around[0][i] = fmin(around[0][i], at[i]);
+        around[1][i] = fmax(around[1][i], at[i]);
+    }
+}
+
+bool tl_visible_box(const tl_gbuffer *gbuffer, const double rows[3][3], double out[2][3])
+{
+    double around[2][3] = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    tl_visit_visible_points(gbuffer, rows, 1, widen, around);
     if (!(around[0][0] <= around[1][0]))
         return false;
-    for (int i = 0; i < 6; i++)
-        out[i / 3][i % 3] = around[i / 3][i % 3];
+    memcpy(out, around, sizeof around);
     return true;
 }
