@@ -140,7 +140,7 @@ typedef struct tl_view_shadow {
     float slope_x, slope_y;   /* of a plane's depth per texel: of right.n/facing, down.n/facing */
     /* m that a surface may lie off its place, with its depth d: slack + d (per_depth + d per_depth2) */
     float slack, slack_per_depth, slack_per_depth2;
-    float offset; /* m for each m to the light, of parallel maps m: see TL_SHADOW_OFFSET */
+    float offset; /* of the way to the light, of parallel maps m: TL_SHADOW_OFFSET */
 } tl_view_shadow;
 TL_STATIC_ASSERT(sizeof(tl_view_shadow) == 96, view_shadow_is_six_rows);
 

@@ -35,8 +35,12 @@
  *      sum of products ahead (in the corner of a cube's view |v| is 1.8 of what is ahead), 6u for quotient
  *      and product on devices: TL_SHADOW_DEPTH.
  *
- * A surface's own slope is that of its normal. Towards grazing angles it grows beyond bounds, and so would b;
- * from TL_SHADOW_GRAZING on it is cut, for there is little light to lose.
+ * Beyond that, what folds within a texel has slopes that no texel's centre tells of: the point is moved towards
+ * the light by TL_SHADOW_OFFSET texels. Not along its normal, which would take it through the other side of a
+ * corner.
+ *
+ * The slope of a normal grows beyond bounds towards grazing angles, and so would b; from TL_SHADOW_GRAZING on it
+ * is cut, for there is little light to lose, and the texels around still tell the true one.
  *
  * tests/test_shadow_formulas.c has planes, folds and edges at every angle; tests/test_shadow_rays.c
  * holds whole scenes against rays. */
@@ -50,7 +54,7 @@
 
 #define TL_SHADOW_PLACE R(0x1p-7)   /* texels */
 #define TL_SHADOW_DEPTH R(0x1p-19)  /* 32u; of the depth, or in parallel maps of all of it */
-#define TL_SHADOW_GRAZING R(0x1p-7) /* cosine */
+#define TL_SHADOW_GRAZING R(0x1p-4) /* cosine */
 
 /* The side of a cube that a direction meets, lane by lane: along one of its axes or against it. */
 typedef struct cube_side {
@@ -259,16 +263,16 @@ TL_INLINE real share_at(tl_numbers numbers, tl_view_shadow map, shadow_place at,
     return pick(at.inside, pick(any_lit, share, R(0.0)), R(1.0));
 }
 
-/* Where the surface's point is looked up: moved by what places may be off, and by TL_SHADOW_OFFSET. l: to the
- * light, of this length, m, or of a directional light its direction. */
-TL_INLINE vec3 shadowed_point(tl_view_shadow map, surface s, vec3 l, real distance)
+/* Where the surface's point is looked up: moved out along its normal by what places may be off, and
+ * towards the light by TL_SHADOW_OFFSET. l: to the light, m, or of a directional light its direction. */
+TL_INLINE vec3 shadowed_point(tl_view_shadow map, surface s, vec3 l)
 {
     const real depth = -s.position.z;
     const real off =
-        FMA(depth, FMA(depth, map.slack_per_depth2, map.slack_per_depth), map.slack) +
-        distance * map.offset;
+        FMA(depth, FMA(depth, map.slack_per_depth2, map.slack_per_depth), map.slack);
     const vec3 from_light = {-l.x, -l.y, -l.z};
-    return fma3(s.normal, off, map.kind == TL_SHADOW_PARALLEL ? s.position : from_light);
+    const vec3 place = map.kind == TL_SHADOW_PARALLEL ? s.position : from_light;
+    return fma3(s.normal, off, fma3(l, (real)map.offset, place));
 }
 
 /* n.l, times the distance as `facing` is, cut at grazing angles. */
@@ -283,7 +287,7 @@ TL_INLINE real facing_shadow(real facing, real distance)
 TL_INLINE real unshadowed_share(
     tl_numbers numbers, tl_view_shadow map, surface s, vec3 l, real distance, real facing)
 {
-    const shadow_place at = place_in_shadow(map, shadowed_point(map, s, l, distance), s.normal,
+    const shadow_place at = place_in_shadow(map, shadowed_point(map, s, l), s.normal,
                                             facing_shadow(facing, distance));
     return share_at(numbers, map, with_slopes_around(numbers, map, at, at.x, at.y), R(0.0));
 }

@@ -23,8 +23,8 @@
 
 #define TL_SLOPE_SCALE 1024
 
-/* Texels that a surface is moved out along its normal before it is looked up, for what folds within a texel. */
-#define TL_SHADOW_OFFSET 0.25
+/* Texels that a surface is moved towards the light before it is looked up, for what folds within a texel. */
+#define TL_SHADOW_OFFSET 1.0
 
 /* Texels at each side of a view beyond what it is for, so that a filter finds all it needs in one view: the
  * widest filter, half, and one texel. */

@@ -11,6 +11,7 @@ target_include_directories(tl_rays PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}
                            PRIVATE ${PROJECT_SOURCE_DIR}/raster/model ${PROJECT_SOURCE_DIR}/raster/gltf)
 target_link_libraries(tl_rays PUBLIC tl_raster PRIVATE embree PkgConfig::JANSSON m)
 tl_test(test_shadow_rays raster tl_rays tl_reference tl_files)
+tl_test(test_shadow_plan raster tl_raster)
 tl_test(test_shadow_lit device tl_raster tl_lighting tl_files)
 
 tl_test(test_command_usage command tl_base)

@@ -13,7 +13,8 @@ enum {
     OPTION_SAMPLES,
     OPTION_MATERIALS,
     OPTION_SHADOWS,
-    OPTION_SHADOW_MEMORY
+    OPTION_SHADOW_MEMORY,
+    OPTION_SHADOW_NEAR
 };
 
 static const uint32_t anisotropies[] = {1, 2, 4, 8, TL_MAX_ANISOTROPY};
@@ -42,6 +43,9 @@ static error_t parse(int key, char *text, struct argp_state *state)
     case OPTION_SHADOW_MEMORY:
         options->shadow_memory =
             (uint64_t)(value_number(state, "--shadow-memory", text, 1.0, 1e6) * 1e6);
+        return 0;
+    case OPTION_SHADOW_NEAR:
+        options->shadow_near = value_number(state, "--shadow-near", text, 1e-6, 1e6);
         return 0;
     case OPTION_VARIANT: options->variant = text; return 0;
     case OPTION_LAYOUT: options->layout = value_layout(state, "--layout", text); return 0;
@@ -73,6 +77,10 @@ static const struct argp_option options_table[] = {
      "Shadow maps of all lights (default: of those of a lights file that have castsShadow)", 0},
     {"shadow-memory", OPTION_SHADOW_MEMORY, "MB", 0,
      "That all shadow maps may take: beyond, the largest are made smaller (default 268)", 0},
+    {"shadow-near", OPTION_SHADOW_NEAR, "METRES", 0,
+     "Surfaces nearer to a light than that cast no shadow of it: more than the size of lamps that stand "
+     "around their lights (default: a 100000th of the scene's extent)",
+     0},
     {"time", OPTION_TIME, "SECONDS", 0,
      "The moment of an animation, at its end if it has ended before (default: the scene as "
      "the file has it, or 0 with --animation)",

@@ -167,7 +167,7 @@ interval tl_shadow_allowance(const tl_prepared *prepared,
     const tl_numbers numbers = (tl_numbers)prepared->lights;
     const tl_view_shadow map = shadow_behind(numbers, shape->shadow_at);
     const int is_parallel = map.kind == TL_SHADOW_PARALLEL;
-    const vec3 point = shadowed_point(map, s->exact, w->l, w->exact);
+    const vec3 point = shadowed_point(map, s->exact, w->l);
     const double moved = point_moved(s, w, point, is_parallel);
     const double cosine = n_dot_l->exact, grazing = (double)TL_SHADOW_GRAZING;
     const double cosine_off = fmax(cosine - n_dot_l->cosine.low, n_dot_l->cosine.high - cosine);

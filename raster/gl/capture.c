@@ -128,7 +128,7 @@ static tl_status render(const tl_model *model,
     TRY(tl_shadow_plan(model, gbuffer, lights,
                        options->shadow_memory ? options->shadow_memory
                                               : TL_DEFAULT_SHADOW_MEMORY,
-                       notices, &gbuffer->shadows, err));
+                       options->shadow_near, notices, &gbuffer->shadows, err));
     TRY(tl_shadow_pass(gl, model, &objects, anisotropy, gbuffer, timings, err));
 
     *out = gbuffer;

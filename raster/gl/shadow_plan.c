@@ -19,7 +19,7 @@ static const double misplaced = 16 * 0x1p-24;
 typedef struct planning {
     const tl_gbuffer *gbuffer;
     double low[3], high[3]; /* of all that is drawn, m */
-    double extent, largest; /* m: its diagonal; its largest coordinate */
+    double near, largest;   /* m: ahead of lights; the largest coordinate */
     bool sees;              /* whether the camera sees anything, and the box around that, m */
     double seen[2][3];
     tl_seen_points points;
@@ -27,7 +27,7 @@ typedef struct planning {
 
 static const double axes_of_world[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
-static void begin(const double box[2][3], const tl_gbuffer *gbuffer, planning *p)
+static void begin(const double box[2][3], double near, const tl_gbuffer *gbuffer, planning *p)
 {
     double square = 0.0;
     p->gbuffer = gbuffer;
@@ -37,7 +37,7 @@ static void begin(const double box[2][3], const tl_gbuffer *gbuffer, planning *p
         square += (p->high[i] - p->low[i]) * (p->high[i] - p->low[i]);
         p->largest = fmax(p->largest, fmax(fabs(p->low[i]), fabs(p->high[i])));
     }
-    p->extent = sqrt(square);
+    p->near = near > 0.0 ? near : fmax(nearest_share * sqrt(square), 1e-9);
     p->sees = tl_visible_box(gbuffer, axes_of_world, p->seen);
 }
 
@@ -147,7 +147,7 @@ static bool find_views(const planning *p, const tl_light *light, tl_shadow_map *
         memcpy(axis, light->direction, sizeof axis);
         if (map->is_fitted)
             find_cone(p, map->position, axis, &angle);
-        tl_shadow_views_from(map, axis, angle, fmax(nearest_share * p->extent, 1e-9));
+        tl_shadow_views_from(map, axis, angle, p->near);
         return true;
     }
     tl_shadow_axes(map->direction, rows);
@@ -234,6 +234,7 @@ tl_status tl_shadow_plan(const tl_model *model,
                          const tl_gbuffer *gbuffer,
                          const tl_light_set *lights,
                          uint64_t memory,
+                         double near,
                          const tl_notices *notices,
                          tl_shadow_maps *out,
                          tl_error *err)
@@ -243,7 +244,7 @@ tl_status tl_shadow_plan(const tl_model *model,
     double box[2][3];
     if (lights->count == 0 || !tl_model_bounds(model, box[0], box[1]))
         return TL_OK;
-    begin((const double(*)[3])box, gbuffer, &p);
+    begin((const double(*)[3])box, near, gbuffer, &p);
     tl_shadow_map *maps = calloc(lights->count, sizeof *maps);
     const tl_light **sources = calloc(lights->count, sizeof(tl_light *));
     if (!maps || !sources)

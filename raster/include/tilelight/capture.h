@@ -35,10 +35,12 @@ typedef struct tl_capture_options {
     bool has_time; /* false: time is 0 where an animation is named */
     /* Shadow maps: of the lights that ask for them among shadow_lights, NULL: among the scene's own; of all of
      * the scene's own with all_shadows, which then ask for them. shadow_memory: bytes of all maps at most, 0:
-     * TL_DEFAULT_SHADOW_MEMORY. */
+     * TL_DEFAULT_SHADOW_MEMORY. shadow_near: m ahead of a light from which on surfaces are in its map, for
+     * lamps that would keep their own light in; 0: a 100000th of the scene's extent. */
     const tl_light_set *shadow_lights;
     bool all_shadows;
     uint64_t shadow_memory;
+    double shadow_near;
 } tl_capture_options;
 
 /* Loads `path` (.gltf, .glb), renders its default scene into a G-buffer, and collects its lights. The
