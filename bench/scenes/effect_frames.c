@@ -49,6 +49,7 @@ typedef enum addition {
     A_BLACK_SUN,
     A_BLACK_LAMP,
     A_SKY,
+    CASTERS,
     SOME_PLANES
 } addition;
 
@@ -74,6 +75,7 @@ static const struct {
     {"directional", "a sun without intensity", LAMPS | GLOSS | LOBES, A_BLACK_SUN, 0},
     {"occlusion", "a plane that is 1", LAMPS | AMBIENT, SOME_PLANES, TL_GROUP_OCCLUSION},
     {"emission", "planes that are black", LAMPS, SOME_PLANES, TL_GROUP_EMISSIVE},
+    {"shadows", "lamps that cast some, and have no maps", LAMPS | GLOSS | LOBES, CASTERS, 0},
     {"sky", "a colour that no pixel shows", LAMPS | WALL, A_SKY, 0},
 };
 const int tl_unused_effect_count = sizeof pairs / sizeof pairs[0];
@@ -242,6 +244,10 @@ static tl_status add_unused(addition more, tl_light_set *lights, tl_error *err)
         light.range = INFINITY;
         light.intensity = 0.0f;
         break;
+    case CASTERS:
+        for (size_t i = 0; i < lights->count; i++)
+            lights->lights[i].casts_shadow = 1;
+        return TL_OK;
     case A_SKY: lights->sky[0] = lights->sky[1] = lights->sky[2] = 1.0f; return TL_OK;
     case SOME_PLANES: return TL_OK;
     }
@@ -261,6 +267,15 @@ done:
     return status;
 }
 
+tl_status tl_effect_frame_alike(const tl_effect_frame *frame,
+                                tl_effect_frame *to,
+                                tl_error *err)
+{
+    to->gbuffer = frame->gbuffer;
+    to->borrows = 1;
+    return copy_lights(&frame->lights, &to->lights, err);
+}
+
 tl_status tl_unused_effect_make(int index,
                                 uint32_t width,
                                 uint32_t height,
@@ -273,13 +288,12 @@ tl_status tl_unused_effect_make(int index,
     const uint32_t present = TL_GROUP_BASE | (traits & GLOSS ? TL_GROUP_PHONG : 0);
     tl_status status = TL_OK;
     TRY(make(traits, present, 0, width, height, without, err));
+    TRY(tl_effect_frame_alike(without, with, err));
     if (more) {
+        with->borrows = 0;
+        with->gbuffer = NULL;
         TRY(make_surfaces(traits, present | more, more, width, height, &with->gbuffer, err));
-    } else {
-        with->gbuffer = without->gbuffer;
-        with->borrows = 1;
     }
-    TRY(copy_lights(&without->lights, &with->lights, err));
     TRY(add_unused(pairs[index].more, &with->lights, err));
 done:
     if (status != TL_OK) {

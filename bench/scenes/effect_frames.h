@@ -43,6 +43,11 @@ tl_status tl_unused_effect_make(int index,
                                 tl_effect_frame *with,
                                 tl_error *err);
 
+/* *to, all zero, has copies of the lights and borrows the G-buffer. Fails with TL_ERR_MEMORY. */
+tl_status tl_effect_frame_alike(const tl_effect_frame *frame,
+                                tl_effect_frame *to,
+                                tl_error *err);
+
 /* Leaves it all zero. Accepts that. */
 void tl_effect_frame_clear(tl_effect_frame *frame);
 

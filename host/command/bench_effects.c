@@ -1,11 +1,12 @@
 /* What choosing effects is worth: frames with those that they call for against all effects, and with an
- * effect that no tile uses against the same frame without it. */
+ * effect that no tile uses, or a stage that all pixels go through, against the same frame without. */
 #include "bench_json.h"
 #include "bench_session.h"
 #include "console.h"
 #include "effect_frames.h"
 #include "frame_ratio.h"
 #include "json_values.h"
+#include "stage_frames.h"
 #include "try.h"
 
 #include <stdio.h>
@@ -20,7 +21,7 @@ typedef struct effects_bench {
     bench_session *session;
     tl_bench_case of; /* its size and how it is lit */
     tl_sampling_rule rule;
-    json_t *frames, *unused;
+    json_t *frames, *unused, *stages;
     int all_same_bits;
     double gain_of_plainest, most_of_unused; /* median; upper end of the interval */
 } effects_bench;
@@ -126,6 +127,30 @@ done:
     return status;
 }
 
+/* A frame without a stage, and with it. */
+static tl_status measure_stage(effects_bench *b, int index, tl_error *err)
+{
+    const tl_effect_frame_row about = tl_stage_about(index);
+    const tl_bench_scene_options *size = &b->of.scene_options;
+    const int had_same_bits = b->all_same_bits;
+    tl_effect_frame without = {0}, with = {0};
+    tl_frame_ratio ratio;
+    tl_status status = TL_OK;
+    console_stage("lighting frames without stages, and with them");
+    TRY(tl_stage_make(index, size->width, size->height, &without, &with, err));
+    TRY(measure(b, &without, &with, b->of.lighting.effects, &ratio, err));
+    console_stage(NULL);
+    if (!tl_stage_keeps_bits(index))
+        b->all_same_bits = had_same_bits;
+    if (b->session->table)
+        print_ratio(b->session->table, about, &ratio);
+    json_array_append_new(b->stages, ratio_json(about, &ratio, "without", "with"));
+done:
+    tl_effect_frame_clear(&with);
+    tl_effect_frame_clear(&without);
+    return status;
+}
+
 static void print_verdicts(FILE *out, const effects_bench *b)
 {
     fprintf(out,
@@ -153,6 +178,10 @@ static tl_status measure_all(effects_bench *b, tl_error *err)
     for (int i = 0; i < tl_unused_effect_count; i++)
         TRY(measure_unused(b, i, err));
     if (table)
+        print_heading(table, "\nwhat stages cost", "without", "with ms");
+    for (int i = 0; i < tl_stage_count; i++)
+        TRY(measure_stage(b, i, err));
+    if (table)
         print_verdicts(table, b);
 done:
     return status;
@@ -167,11 +196,11 @@ static tl_status write_json(effects_bench *b, tl_error *err)
     json_t *report = tl_bench_json_begin(&s->machine);
     json_object_set_new(report, "device", tl_bench_json_device(&device));
     json_object_set_new(report, "effects",
-                        json_pack("{so sO sO so so sb}", "case", tl_bench_json_case(&b->of),
-                                  "frames", b->frames, "unused", b->unused, "gain_of_plainest",
-                                  tl_json_number(b->gain_of_plainest), "most_of_unused",
-                                  tl_json_number(b->most_of_unused), "same_bits",
-                                  b->all_same_bits));
+                        json_pack("{so sO sO sO so so sb}", "case", tl_bench_json_case(&b->of),
+                                  "frames", b->frames, "unused", b->unused, "stages", b->stages,
+                                  "gain_of_plainest", tl_json_number(b->gain_of_plainest),
+                                  "most_of_unused", tl_json_number(b->most_of_unused),
+                                  "same_bits", b->all_same_bits));
     return tl_json_write(s->options->json, report, err);
 }
 
@@ -181,6 +210,7 @@ tl_status bench_run_effects(bench_session *s, tl_error *err)
                        .rule = s->options->rule,
                        .frames = json_array(),
                        .unused = json_array(),
+                       .stages = json_array(),
                        .all_same_bits = 1};
     tl_status status = TL_OK;
     b.rule.least_samples = s->options->samples_given ? b.rule.least_samples : effects_samples;
@@ -199,5 +229,6 @@ tl_status bench_run_effects(bench_session *s, tl_error *err)
 done:
     json_decref(b.frames);
     json_decref(b.unused);
+    json_decref(b.stages);
     return status;
 }

@@ -105,8 +105,8 @@ static double span_across(const planning *p, const float direction[3])
     return fmax(seen[1][0] - seen[0][0], seen[1][1] - seen[0][1]);
 }
 
-/* The map of a light, without texels and views. */
-static tl_shadow_map map_for(const planning *p, const tl_light *light)
+/* The map of a light, without texels, views and size. */
+static tl_shadow_map map_for(const planning *p, const tl_light *light, tl_shadow_need *need)
 {
     tl_shadow_map map = {.kind = kind_for(light)};
     double largest = p->largest, tangent = 0.0, span = 0.0;
@@ -118,7 +118,8 @@ static tl_shadow_map map_for(const planning *p, const tl_light *light)
         memcpy(map.position, light->position, sizeof map.position);
         tangent = choose_view(p, light, &map);
     }
-    map.size = tl_shadow_size_for(&p->points, light, map.kind, tangent, span);
+    need->views = tl_shadow_view_counts[map.kind];
+    tl_shadow_need_of(&p->points, light, map.kind, tangent, span, need);
     for (int i = 0; i < 3; i++)
         largest = fmax(largest, fabs((double)map.position[i]));
     map.slack = (float)(misplaced * largest);
@@ -158,74 +159,21 @@ static bool find_views(const planning *p, const tl_light *light, tl_shadow_map *
     return true;
 }
 
-static uint32_t shrunk(uint32_t size, double share)
-{
-    const uint32_t to = (uint32_t)(size * share);
-    return to > TL_LEAST_SHADOW_SIZE ? to : TL_LEAST_SHADOW_SIZE;
-}
-
-/* Of all, each `share` as many texels wide as wanted, but for those that are as small as they get. */
-static uint64_t size_of_all(const tl_shadow_map *maps, size_t count, double share)
-{
-    uint64_t size = 0;
-    for (size_t i = 0; i < count; i++) {
-        tl_shadow_map map = maps[i];
-        map.size = shrunk(map.size, share);
-        size += tl_shadow_map_size(&map);
-    }
-    return size;
-}
-
-/* The largest share, in 4096ths, with which all fit; 0: none does. */
-static double share_within(uint64_t memory, const tl_shadow_map *maps, size_t count)
-{
-    enum { STEPS = 4096 };
-    uint32_t fits = 0;
-    for (uint32_t step = STEPS; step > 0; step /= 2)
-        if (fits + step <= STEPS &&
-            size_of_all(maps, count, (double)(fits + step) / STEPS) <= memory)
-            fits += step;
-    return (double)fits / STEPS;
-}
-
-static tl_status keep_within(uint64_t memory,
-                             tl_shadow_map *maps,
-                             size_t count,
-                             const tl_notices *notices,
-                             tl_error *err)
-{
-    const double share = share_within(memory, maps, count);
-    if (share == 0.0)
-        return tl_fail(err, TL_ERR_ARGUMENT,
-                       "shadow maps of %zu lights take %llu KiB at their smallest, more than "
-                       "the %llu that they may; allow more, or let fewer lights cast shadows",
-                       count, (unsigned long long)(size_of_all(maps, count, 0.0) >> 10),
-                       (unsigned long long)(memory >> 10));
-    if (share < 1.0)
-        tl_notice(notices,
-                  "shadow maps of %zu lights would take %llu MiB: all are made smaller, by "
-                  "%.0f %% each way, "
-                  "to take %llu",
-                  count, (unsigned long long)(size_of_all(maps, count, 1.0) >> 20),
-                  100.0 * (1.0 - share), (unsigned long long)(memory >> 20));
-    for (size_t i = 0; i < count; i++)
-        maps[i].size = shrunk(maps[i].size, share);
-    return TL_OK;
-}
-
-/* sources[i]: the light of maps[i]. */
+/* of[i]: the light of maps[i]; needs[i]: its map's. */
 static size_t list_maps(const planning *p,
                         const tl_light_set *lights,
                         tl_shadow_map *maps,
-                        const tl_light **sources)
+                        tl_shadow_need *needs,
+                        const tl_light **of)
 {
     size_t count = 0;
     for (size_t i = 0; i < lights->count; i++) {
         const tl_light *light = &lights->lights[i];
         if (!light->casts_shadow || !gives_light(light))
             continue;
-        sources[count] = light;
-        maps[count++] = map_for(p, light);
+        of[count] = light;
+        maps[count] = map_for(p, light, &needs[count]);
+        count++;
     }
     return count;
 }
@@ -246,19 +194,23 @@ tl_status tl_shadow_plan(const tl_model *model,
         return TL_OK;
     begin((const double(*)[3])box, near, gbuffer, &p);
     tl_shadow_map *maps = calloc(lights->count, sizeof *maps);
+    tl_shadow_need *needs = calloc(lights->count, sizeof *needs);
     const tl_light **sources = calloc(lights->count, sizeof(tl_light *));
-    if (!maps || !sources)
+    if (!maps || !needs || !sources)
         TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for a plan of %zu shadow maps",
                     lights->count));
     TRY(tl_seen_points_of(gbuffer, &p.points, err));
-    const size_t count = list_maps(&p, lights, maps, sources);
-    TRY(keep_within(memory, maps, count, notices, err));
-    for (size_t i = 0; i < count; i++)
+    const size_t count = list_maps(&p, lights, maps, needs, sources);
+    TRY(tl_shadow_budget(memory, needs, count, notices, err));
+    for (size_t i = 0; i < count; i++) {
+        maps[i].size = needs[i].size;
         if (find_views(&p, sources[i], &maps[i]))
             TRY(tl_shadow_maps_add(out, &maps[i], err));
+    }
 done:
     tl_seen_points_clear(&p.points);
     free(maps);
+    free(needs);
     free((void *)sources);
     return status;
 }

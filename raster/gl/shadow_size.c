@@ -90,11 +90,12 @@ static double size_at(int level)
     return TL_LEAST_SHADOW_SIZE * exp2((double)level / LEVELS_PER_OCTAVE);
 }
 
-uint32_t tl_shadow_size_for(const tl_seen_points *points,
-                            const tl_light *light,
-                            uint32_t kind,
-                            double tangent,
-                            double span)
+void tl_shadow_need_of(const tl_seen_points *points,
+                       const tl_light *light,
+                       uint32_t kind,
+                       double tangent,
+                       double span,
+                       tl_shadow_need *need)
 {
     size_t reached = 0, served = 0, of_level[LEVELS] = {0};
     int level = 0;
@@ -107,5 +108,6 @@ uint32_t tl_shadow_size_for(const tl_seen_points *points,
     }
     for (served = of_level[0]; (double)served < share_served * (double)reached;)
         served += of_level[++level];
-    return (uint32_t)ceil(fmin(size_at(level), (double)most_size[kind]));
+    need->size = (uint32_t)ceil(fmin(size_at(level), (double)most_size[kind]));
+    need->pixels = (double)reached;
 }

@@ -2,6 +2,8 @@
 #ifndef TL_SHADOW_SIZE_H
 #define TL_SHADOW_SIZE_H
 
+#include "shadow_budget.h"
+
 #include "tilelight/gbuffer.h"
 
 /* Some of the points that a camera sees, evenly over the picture. All zero is none. */
@@ -17,13 +19,15 @@ tl_status tl_seen_points_of(const tl_gbuffer *gbuffer, tl_seen_points *out, tl_e
 
 void tl_seen_points_clear(tl_seen_points *points);
 
-/* Texels each way, within the limits of `kind`, of a map of this light: about as few as give nine in ten of
- * the points that the light may reach a texel there that is no wider than their pixel. A map of a
+/* Into *need, whose views are known: texels each way, within the limits of `kind`, of a map of this light, about
+ * as few as give nine in ten of the points that the light may reach a texel there that is no wider than their
+ * pixel; and how many these are. A map of a
  * position is 2 tangent wide at 1 m along its view, a directional light's is `span` m wide. */
-uint32_t tl_shadow_size_for(const tl_seen_points *points,
-                            const tl_light *light,
-                            uint32_t kind,
-                            double tangent,
-                            double span);
+void tl_shadow_need_of(const tl_seen_points *points,
+                       const tl_light *light,
+                       uint32_t kind,
+                       double tangent,
+                       double span,
+                       tl_shadow_need *need);
 
 #endif

@@ -1,0 +1,94 @@
+#include "stage_frames.h"
+
+#include "try.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Shadow maps are empty: each pixel looks up all that it would, and finds all of the light. */
+typedef struct stage_row {
+    const char *name, *meaning;
+    const char *frame;  /* of the frames of effects */
+    uint32_t map_count; /* lights of the frame, from its first on, that get a map */
+    uint32_t map_size;  /* texels each way */
+} stage_row;
+
+static const stage_row stages[] = {
+    {"shadows", "of a sun, in a map of 2048 texels each way", "sun", 1, 2048},
+    {"shadows", "of 16 of 1024 lamps, in six maps of 256 each", "gloss", 16, 256},
+    {"shadows", "of all of 1024 lamps, in six maps of 64 each", "gloss", 1024, 64},
+};
+const int tl_stage_count = sizeof stages / sizeof stages[0];
+
+tl_effect_frame_row tl_stage_about(int index)
+{
+    return (tl_effect_frame_row){stages[index].name, stages[index].meaning};
+}
+
+int tl_stage_keeps_bits(int index)
+{
+    return stages[index].map_count > 0;
+}
+
+static int frame_named(const char *name)
+{
+    int i = 0;
+    while (strcmp(tl_effect_frame_about(i).name, name) != 0)
+        i++;
+    return i;
+}
+
+/* As large as all that the frame may show, m. */
+static const double far_away = 1e3;
+
+static tl_status add_map(tl_gbuffer *g, const tl_light *light, uint32_t size, tl_error *err)
+{
+    const int is_sun = light->type == TL_LIGHT_DIRECTIONAL;
+    tl_shadow_map map = {.kind = is_sun ? TL_SHADOW_PARALLEL : TL_SHADOW_CUBE, .size = size};
+    double around[2][3];
+    for (int i = 0; i < 3; i++) {
+        around[0][i] = -far_away;
+        around[1][i] = far_away;
+        map.position[i] = is_sun ? 0.0f : light->position[i];
+        map.direction[i] = is_sun ? light->direction[i] : 0.0f;
+    }
+    if (is_sun)
+        tl_shadow_view_along(&map, (const double(*)[3])around, (const double(*)[3])around);
+    else
+        tl_shadow_views_from(&map, NULL, 0.0, 1e-2);
+    return tl_shadow_maps_add(&g->shadows, &map, err);
+}
+
+static tl_status cast_shadows(const stage_row *of,
+                              tl_effect_frame *without,
+                              tl_effect_frame *with,
+                              tl_error *err)
+{
+    tl_status status = TL_OK;
+    for (uint32_t i = 0; i < of->map_count && i < with->lights.count; i++) {
+        with->lights.lights[i].casts_shadow = 1;
+        TRY(add_map(without->gbuffer, &with->lights.lights[i], of->map_size, err));
+    }
+done:
+    return status;
+}
+
+tl_status tl_stage_make(int index,
+                        uint32_t width,
+                        uint32_t height,
+                        tl_effect_frame *without,
+                        tl_effect_frame *with,
+                        tl_error *err)
+{
+    const stage_row *of = &stages[index];
+    tl_status status = TL_OK;
+    TRY(tl_effect_frame_make(frame_named(of->frame), width, height, without, err));
+    TRY(tl_effect_frame_alike(without, with, err));
+    TRY(cast_shadows(of, without, with, err));
+done:
+    if (status != TL_OK) {
+        tl_effect_frame_clear(with);
+        tl_effect_frame_clear(without);
+    }
+    return status;
+}
