@@ -10,7 +10,7 @@ add_library(tl_rays STATIC rays/ray_scene.c rays/asset_view.c)
 target_include_directories(tl_rays PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}
                            PRIVATE ${PROJECT_SOURCE_DIR}/raster/model ${PROJECT_SOURCE_DIR}/raster/gltf)
 target_link_libraries(tl_rays PUBLIC tl_raster PRIVATE embree PkgConfig::JANSSON m)
-tl_test(test_shadow_rays raster tl_rays tl_reference tl_files)
+tl_test(test_shadow_rays raster tl_rays tl_reference tl_files PkgConfig::JANSSON)
 tl_test(test_shadow_plan raster tl_raster)
 tl_test(test_shadow_lit device tl_raster tl_lighting tl_files)
 
@@ -44,6 +44,11 @@ add_test(NAME effects_page_is_made
          COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/scripts/make-effects-page
                  $<TARGET_FILE:tilelight> --check)
 tl_test_properties(effects_page_is_made command)
+
+# Is the table of the page on shadows that of the committed result?
+add_test(NAME shadows_page_is_made
+         COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/scripts/make-shadows-page --check)
+set_tests_properties(shadows_page_is_made PROPERTIES LABELS unit)
 
 # Is the table of the page on captures that of the committed result?
 add_test(NAME captures_page_is_made

@@ -16,6 +16,7 @@
 #include "tilelight/capture.h"
 #include "tilelight/gbuffer_file.h"
 
+#include <jansson.h>
 #include <unistd.h>
 
 enum { WIDTH = 640, HEIGHT = 360 };
@@ -415,8 +416,26 @@ static tl_u32 shadow_of_light(const tl_prepared *p, uint32_t index)
     return shapes[p->lights[index].falloff - TL_FADE_COUNT].shadow_at;
 }
 
+/* For a person, and as an object of the report. */
+static void report_scene(const scene_case *c, uint32_t maps, const tally *sum, json_t *report)
+{
+    const char *const lights = c->lights ? c->lights : "its own";
+    printf("%s, lights: %s, %u maps; of %zu lit pixels %zu are dark, %zu differ (%.3f %%), %zu "
+           "of them away from an edge; %zu more are of triangles that are turned away\n",
+           c->scene, lights, maps, sum->lit, sum->dark, sum->differing,
+           100.0 * (double)sum->differing / (double)(sum->lit ? sum->lit : 1), sum->away,
+           sum->turned);
+    fflush(stdout);
+    json_array_append_new(report,
+                          json_pack("{ss ss sf sI sI sI sI sI sI}", "scene", c->scene, "lights",
+                                    lights, "near", c->near, "maps", (json_int_t)maps, "lit",
+                                    (json_int_t)sum->lit, "dark", (json_int_t)sum->dark,
+                                    "differing", (json_int_t)sum->differing, "away",
+                                    (json_int_t)sum->away, "turned", (json_int_t)sum->turned));
+}
+
 /* Returns whether they agree. */
-static bool agrees_with_rays(const scene_case *c)
+static bool agrees_with_rays(const scene_case *c, json_t *report)
 {
     frame f;
     tally sum = {0};
@@ -443,12 +462,7 @@ static bool agrees_with_rays(const scene_case *c)
         sum.away += own.away;
         sum.turned += own.turned;
     }
-    printf("%s, %s: %u maps; of %zu lit pixels %zu are dark, %zu differ (%.3f %%), %zu of them "
-           "away from an edge; %zu more are of triangles that are turned away\n",
-           c->scene, c->lights ? c->lights : "its own lights", maps, sum.lit, sum.dark,
-           sum.differing, 100.0 * (double)sum.differing / (double)(sum.lit ? sum.lit : 1),
-           sum.away, sum.turned);
-    fflush(stdout);
+    report_scene(c, maps, &sum, report);
     assert_true(maps > 0 && sum.lit > 0 && sum.dark > 0);
     free(pixels);
     close_frame(&f);
@@ -469,11 +483,16 @@ static bool is_chosen(const scene_case *c)
 
 static void maps_agree_with_rays(void **state)
 {
+    const char *const file = getenv("TILELIGHT_RESULT");
+    json_t *const report = json_array();
     bool agree = true;
     (void)state;
     for (size_t i = 0; i < COUNT_OF(cases); i++)
         if (is_chosen(&cases[i]))
-            agree = agrees_with_rays(&cases[i]) && agree;
+            agree = agrees_with_rays(&cases[i], report) && agree;
+    if (file)
+        assert_int_equal(json_dump_file(report, file, JSON_INDENT(1)), 0);
+    json_decref(report);
     assert_true(agree);
 }
 
