@@ -7,21 +7,21 @@
 #include "reference.h"
 #include "tilelight/layouts.h"
 
+static const uint32_t widths[] = {8, 1, 4, 16};
+enum { ALL_WIDTHS = 15 };
+
 /* What is tried. Metal, models and spots do not know of projections, nor spots of models: each is tried
- * once. */
+ * once. A build takes seconds, so that not all is tried with all, but each with each other. */
 typedef struct bits_case {
     tl_precision precision;
     uint32_t present;
     enum tl_shading_model model;
+    tl_projection projection;
     int spots;
     void (*make_sky)(
         tl_light_set *set); /* and with it lights of every kind of shape; or NULL */
-    int projection_count;   /* perspective first */
-    size_t width_count;     /* of `widths`, from first_width on */
-    size_t first_width;
+    uint32_t tried;         /* bit i: widths[i] */
 } bits_case;
-
-static const uint32_t widths[] = {8, 1, 4, 16};
 
 /* A row for every model, and pixels of all. */
 static void mix_models(tl_gbuffer *g, tl_light_set *lights)
@@ -42,110 +42,105 @@ static void mix_models(tl_gbuffer *g, tl_light_set *lights)
         set_pixel(g, TL_BRDF, i, (float)(i % (TL_MODEL_COUNT + 1)));
 }
 
-static void every_width_agrees(tl_device *device, const bits_case *of)
+static void widths_agree(tl_device *device, const bits_case *of)
 {
     const tl_arithmetic arithmetic =
         of->precision == TL_PRECISION_DOUBLE ? TL_TWIN_DOUBLE : TL_TWIN_FLOAT;
-    for (int projection = 0; projection < of->projection_count; projection++) {
-        tl_light_set lights = {0};
-        tl_gbuffer *g = hard_frame((tl_projection)projection, of->present, &lights);
-        tl_image *want = image_like(g), *got = image_like(g);
-        tl_prepared prepared = {0};
-        tl_error err;
-        lights.model = of->model;
-        if (of->present & TL_GROUP_BRDF)
-            mix_models(g, &lights);
-        if (of->spots)
-            make_hard_spots(&lights);
-        if (of->make_sky) {
-            make_rich(&lights);
-            of->make_sky(&lights);
-        }
-        ASSERT_OK(tl_light_set_check(&lights, "hard", &err), err);
-        ASSERT_OK(tl_prepare(g, &lights, &(tl_prepare_options){.tile_size = 16, .box_count = 1},
-                             NULL, &prepared, &err),
-                  err);
-        tl_reference_light(&prepared, g, arithmetic, want);
-        for (size_t w = of->first_width; w < of->first_width + of->width_count; w++) {
-            tl_lighting_options options = tl_lighting_options_default();
-            char what[64];
-            options.precision = of->precision;
-            options.vector_width = widths[w];
-            snprintf(what, sizeof what, "precision %d, width %u, projection %d", of->precision,
-                     widths[w], projection);
-            light_frame(device, &options, g, &lights, got);
-            assert_same_image(got, want, what);
-        }
-        tl_prepared_clear(&prepared);
-        tl_light_set_clear(&lights);
-        tl_image_destroy(want);
-        tl_image_destroy(got);
-        tl_gbuffer_destroy(g);
+    tl_light_set lights = {0};
+    tl_gbuffer *g = hard_frame(of->projection, of->present, &lights);
+    tl_image *want = image_like(g), *got = image_like(g);
+    tl_prepared prepared = {0};
+    tl_error err;
+    lights.model = of->model;
+    if (of->present & TL_GROUP_BRDF)
+        mix_models(g, &lights);
+    if (of->spots)
+        make_hard_spots(&lights);
+    if (of->make_sky) {
+        make_rich(&lights);
+        of->make_sky(&lights);
     }
+    ASSERT_OK(tl_light_set_check(&lights, "hard", &err), err);
+    ASSERT_OK(tl_prepare(g, &lights, &(tl_prepare_options){.tile_size = 16, .box_count = 1},
+                         NULL, &prepared, &err),
+              err);
+    tl_reference_light(&prepared, g, arithmetic, want);
+    for (size_t w = 0; w < COUNT_OF(widths); w++) {
+        tl_lighting_options options = tl_lighting_options_default();
+        char what[64];
+        if (!(of->tried >> w & 1))
+            continue;
+        options.precision = of->precision;
+        options.vector_width = widths[w];
+        snprintf(what, sizeof what, "precision %d, width %u, projection %d", of->precision,
+                 widths[w], of->projection);
+        light_frame(device, &options, g, &lights, got);
+        assert_same_image(got, want, what);
+    }
+    tl_prepared_clear(&prepared);
+    tl_light_set_clear(&lights);
+    tl_image_destroy(want);
+    tl_image_destroy(got);
+    tl_gbuffer_destroy(g);
 }
 
-static void every_width_agrees_in_float(void **state)
+/* Every width in each precision and under each projection, and each precision under each projection. */
+static void every_width_agrees(void **state)
 {
-    every_width_agrees(*state, &(bits_case){.precision = TL_PRECISION_FLOAT,
-                                            .present = TL_GROUP_BASE | TL_GROUP_PHONG |
-                                                       TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE,
-                                            .projection_count = 2,
-                                            .width_count = COUNT_OF(widths)});
+    static const bits_case cases[] = {
+        {.precision = TL_PRECISION_FLOAT,
+         .projection = TL_PERSPECTIVE,
+         .present = TL_GROUP_BASE | TL_GROUP_PHONG | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE,
+         .tried = 5},
+        {.precision = TL_PRECISION_FLOAT,
+         .projection = TL_ORTHOGRAPHIC,
+         .present = TL_GROUP_BASE | TL_GROUP_PHONG | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE,
+         .tried = 10},
+        {.precision = TL_PRECISION_DOUBLE,
+         .projection = TL_PERSPECTIVE,
+         .present = TL_GROUP_BASE | TL_GROUP_PHONG,
+         .tried = 10},
+        {.precision = TL_PRECISION_DOUBLE,
+         .projection = TL_ORTHOGRAPHIC,
+         .present = TL_GROUP_BASE | TL_GROUP_PHONG,
+         .tried = 5},
+    };
+    const tl_device_info info = tl_device_describe(*state);
+    for (size_t i = 0; i < COUNT_OF(cases); i++)
+        if (cases[i].precision == TL_PRECISION_FLOAT || info.has_double)
+            widths_agree(*state, &cases[i]);
 }
 
 /* One frame of all models, pixel by pixel, and two of one each: the text is the same for all. */
 static void every_width_agrees_by_every_model(void **state)
 {
-    every_width_agrees(*state, &(bits_case){.precision = TL_PRECISION_FLOAT,
-                                            .present = TL_GROUP_BASE | TL_GROUP_PHONG |
-                                                       TL_GROUP_BRDF | TL_GROUP_TANGENT,
-                                            .projection_count = 1,
-                                            .width_count = 2});
-    every_width_agrees(*state, &(bits_case){.precision = TL_PRECISION_FLOAT,
-                                            .present = TL_GROUP_BASE | TL_GROUP_PHONG,
-                                            .model = TL_MODEL_BLINN_PHONG_NORMALIZED,
-                                            .projection_count = 1,
-                                            .width_count = 1,
-                                            .first_width = 2});
-    every_width_agrees(*state, &(bits_case){.precision = TL_PRECISION_FLOAT,
-                                            .present = TL_GROUP_BASE | TL_GROUP_METAL_ROUGH,
-                                            .model = TL_MODEL_METAL_ROUGH,
-                                            .projection_count = 1,
-                                            .width_count = 1,
-                                            .first_width = 3});
+    widths_agree(*state, &(bits_case){.precision = TL_PRECISION_FLOAT,
+                                      .present = TL_GROUP_BASE | TL_GROUP_PHONG |
+                                                 TL_GROUP_BRDF | TL_GROUP_TANGENT,
+                                      .tried = 3});
+    widths_agree(*state, &(bits_case){.precision = TL_PRECISION_FLOAT,
+                                      .present = TL_GROUP_BASE | TL_GROUP_PHONG,
+                                      .model = TL_MODEL_BLINN_PHONG_NORMALIZED,
+                                      .tried = 4});
+    widths_agree(*state, &(bits_case){.precision = TL_PRECISION_FLOAT,
+                                      .present = TL_GROUP_BASE | TL_GROUP_METAL_ROUGH,
+                                      .model = TL_MODEL_METAL_ROUGH,
+                                      .tried = 8});
 }
 
-static void every_width_agrees_on_metal(void **state)
+/* Every sixth light is none: metal has both. */
+static void every_width_agrees_on_metal_and_spots(void **state)
 {
-    every_width_agrees(*state, &(bits_case){.precision = TL_PRECISION_FLOAT,
-                                            .present = TL_GROUP_BASE | TL_GROUP_METAL_ROUGH,
-                                            .projection_count = 1,
-                                            .width_count = COUNT_OF(widths)});
-}
-
-static void every_width_agrees_on_spots(void **state)
-{
-    const tl_device_info info = tl_device_describe(*state);
     bits_case of = {.precision = TL_PRECISION_FLOAT,
-                    .present = TL_GROUP_BASE | TL_GROUP_PHONG,
+                    .present = TL_GROUP_BASE | TL_GROUP_METAL_ROUGH,
                     .spots = 1,
-                    .projection_count = 1,
-                    .width_count = COUNT_OF(widths)};
-    every_width_agrees(*state, &of);
+                    .tried = ALL_WIDTHS};
+    widths_agree(*state, &of);
     of.precision = TL_PRECISION_DOUBLE;
-    of.width_count = 1;
-    if (info.has_double)
-        every_width_agrees(*state, &of);
-}
-
-static void every_width_agrees_in_double(void **state)
-{
-    const tl_device_info info = tl_device_describe(*state);
-    if (info.has_double)
-        every_width_agrees(*state, &(bits_case){.precision = TL_PRECISION_DOUBLE,
-                                                .present = TL_GROUP_BASE | TL_GROUP_PHONG,
-                                                .projection_count = 2,
-                                                .width_count = COUNT_OF(widths)});
+    of.present = TL_GROUP_BASE | TL_GROUP_PHONG;
+    of.tried = 1;
+    if (tl_device_describe(*state).has_double)
+        widths_agree(*state, &of);
 }
 
 /* Hard pixels in a layout whose specular colours are grey, lit by lights of one colour each. */
@@ -197,15 +192,15 @@ static void every_width_agrees_on_shapes(void **state)
                     .present = TL_GROUP_BASE | TL_GROUP_PHONG | TL_GROUP_OCCLUSION,
                     .spots = 1,
                     .make_sky = make_gradient_sky,
-                    .projection_count = 1,
-                    .width_count = 2};
-    every_width_agrees(*state, &of);
+                    .tried = 1};
+    widths_agree(*state, &of);
     of.make_sky = make_image_sky;
-    of.width_count = 1;
-    every_width_agrees(*state, &of);
+    of.tried = 2;
+    widths_agree(*state, &of);
     of.precision = TL_PRECISION_DOUBLE;
+    of.tried = 1;
     if (tl_device_describe(*state).has_double)
-        every_width_agrees(*state, &of);
+        widths_agree(*state, &of);
 }
 
 /* And both paths, every tile size and culling: lists with and without such lights. */
@@ -297,15 +292,13 @@ static void one_colour_is_two_sums_at_once(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_width_agrees_in_float),
+        cmocka_unit_test(every_width_agrees),
         cmocka_unit_test(every_width_agrees_by_every_model),
         cmocka_unit_test(one_colour_is_two_sums_at_once),
         cmocka_unit_test(every_width_agrees_where_lobes_share_a_colour),
-        cmocka_unit_test(every_width_agrees_on_metal),
-        cmocka_unit_test(every_width_agrees_on_spots),
+        cmocka_unit_test(every_width_agrees_on_metal_and_spots),
         cmocka_unit_test(every_width_agrees_on_shapes),
         cmocka_unit_test(shapes_know_nothing_of_tiles),
-        cmocka_unit_test(every_width_agrees_in_double),
     };
     return cmocka_run_group_tests(tests, open_device, close_device);
 }
