@@ -61,8 +61,7 @@ static void scenes_keep_their_bits(void **state)
         source_path(path, sizeof path, "tests/golden", golden_scenes[i].name, ".gbuffer.exr");
         ASSERT_OK(tl_gbuffer_read(path, &g, &lights, &has_lights, &err), err);
         ASSERT_OK(tl_gbuffer_repair(g, path, false, NULL, &err), err);
-        /* One of them by kernels, too. */
-        expect_one_picture(*state, by_tiles, i == 0 ? COUNT_OF(by_tiles) : 1, g, &lights,
+        expect_one_picture(*state, by_twin, COUNT_OF(by_twin), g, &lights,
                            golden_scenes[i].name);
         tl_light_set_clear(&lights);
         tl_gbuffer_destroy(g);

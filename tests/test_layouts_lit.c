@@ -77,7 +77,11 @@ static const float farthest = 1e15f;
 static void light_the_pixels(const tl_gbuffer *g, tl_light_set *lights)
 {
     uint32_t seed = 20110901;
+    tl_light far_off = tl_light_default();
     tl_error err;
+    far_off.range =
+        1.0f; /* of another falloff than those at pixels: all frames call for the same kernels */
+    ASSERT_OK(tl_light_set_add(lights, &far_off, &err), err);
     for (uint32_t i = 0; i < LIGHT_COUNT; i++) {
         const rim at = rim_of_tile(g, &seed, i);
         const vec3 p = position_at(g, at.x, at.y);
