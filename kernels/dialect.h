@@ -70,6 +70,8 @@ typedef TL_LANES(TL_INTEGER) integer;
 #    define AS_REAL(i) TL_PASTE(as_, TL_LANES(TL_SCALAR))(i)
 #    define TO_INTEGER(x) TL_PASTE(convert_, TL_LANES(TL_INTEGER))(x)
 #    define AS_INTEGER(x) TL_PASTE(as_, TL_LANES(TL_INTEGER))(x)
+/* To the precision of float, whatever real is. */
+#    define NARROW(x) TO_REAL(TL_PASTE(convert_, TL_LANES(float))(x))
 
 /* Of words: as signed numbers; the float with these bits; the whole number, below 2^31. */
 typedef TL_LANES(uint) word32;
@@ -195,6 +197,7 @@ typedef int mask;
 
 #    define TO_REAL(i) ((real)(i))
 #    define TO_INTEGER(x) ((integer)(x))
+#    define NARROW(x) ((real)(float)(x))
 #    define pick(which, a, b) ((which) ? (a) : (b))
 
 TL_INLINE int any_lane(mask which)

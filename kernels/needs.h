@@ -39,6 +39,7 @@ typedef struct tl_needs {
     tl_u32 fixed_exponent;
     tl_u32 shapes; /* what some light has of it; 0: lights have no shapes */
     tl_u32 sky;    /* 0: of one colour, frame.sky */
+    tl_u32 surroundings; /* 1: what stands around pixels keeps ambient light from them */
 } tl_needs;
 
 #ifdef __OPENCL_C_VERSION__
@@ -47,7 +48,8 @@ TL_INLINE tl_needs needs_of_build(void)
     const tl_needs needs = {
         TL_PRESENT,     TL_FALLOFFS_USED, TL_SPECULAR,       TL_ORTHOGRAPHIC, TL_LAYOUT,
         TL_MODEL,       TL_SPOTS,         TL_ONE_COLOR,      TL_AMBIENT,      TL_IDLE,
-        TL_MODELS_USED, TL_CHOICES,       TL_FIXED_EXPONENT, TL_SHAPES,       TL_SKY};
+        TL_MODELS_USED, TL_CHOICES,       TL_FIXED_EXPONENT, TL_SHAPES,       TL_SKY,
+        TL_SURROUNDINGS};
     return needs;
 }
 #endif

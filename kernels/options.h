@@ -31,7 +31,8 @@
  *   fixed_exponent 1: surfaces have the exponent of the frame
  *   timed          1: shade_tiles takes another argument and says there when it began and ended a tile
  *   shapes         what lights have beside the rest, bits of needs.h; 0: none has shapes
- *   sky            0, or how the sky is painted: needs.h */
+ *   sky            0, or how the sky is painted: needs.h
+ *   surroundings   1: there is ambient light, and what stands around keeps it from pixels */
 #define TL_KERNEL_OPTIONS(X)             \
     X(TL_WIDTH, width)                   \
     X(TL_BY_PIXEL, by_pixel)             \
@@ -52,7 +53,8 @@
     X(TL_TIMED, timed)                   \
     X(TL_FIXED_EXPONENT, fixed_exponent) \
     X(TL_SHAPES, shapes)                 \
-    X(TL_SKY, sky)
+    X(TL_SKY, sky)                       \
+    X(TL_SURROUNDINGS, surroundings)
 
 #ifdef __OPENCL_C_VERSION__
 #    if !defined(TL_WIDTH) || !defined(TL_BY_PIXEL) || !defined(TL_REAL_DOUBLE) ||        \
@@ -61,8 +63,8 @@
         !defined(TL_MODEL) || !defined(TL_SPOTS) || !defined(TL_ONE_COLOR) ||             \
         !defined(TL_AMBIENT) || !defined(TL_IDLE) || !defined(TL_MODELS_USED) ||          \
         !defined(TL_CHOICES) || !defined(TL_FIXED_EXPONENT) || !defined(TL_TIMED) ||      \
-        !defined(TL_SHAPES) || !defined(TL_SKY) || !defined(TL_POWER) ||                  \
-        !defined(TL_FORM) || !defined(TL_ROOT) || !defined(TL_ARITHMETIC)
+        !defined(TL_SHAPES) || !defined(TL_SKY) || !defined(TL_SURROUNDINGS) ||           \
+        !defined(TL_POWER) || !defined(TL_FORM) || !defined(TL_ROOT) || !defined(TL_ARITHMETIC)
 #        error "build the kernels through tl_program_build(), which passes every option"
 #    endif
 #    if TL_BY_PIXEL && TL_WIDTH != 1

@@ -89,7 +89,7 @@ ambient_of(tl_needs needs, real albedo, scalar ambient, real lamps, real occlusi
     const real light = needs.shapes & TL_SHAPE_AMBIENT
                            ? albedo * received_by(albedo, lamps + (real)ambient)
                            : albedo * ambient;
-    if (reads_planes(needs, TL_GROUP_OCCLUSION))
+    if (reads_planes(needs, TL_GROUP_OCCLUSION) || needs.surroundings)
         return occlusion * received_by(occlusion, light);
     return light;
 }

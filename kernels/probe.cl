@@ -39,6 +39,7 @@ __kernel void probe_layout(__global uint *out)
     out[n++] = OFFSET(frame, shapes_at);
     out[n++] = OFFSET(frame, sky_at);
     out[n++] = OFFSET(frame, calls_at);
+    out[n++] = OFFSET(frame, surroundings_at);
     out[n++] = OFFSET(frame, exponent);
     out[n++] = sizeof(tl_view_light);
     out[n++] = OFFSET(light, position);

@@ -1,6 +1,7 @@
 /* Shading on a GPU: one work-item per pixel, in groups of TL_GROUP that are part of one tile, so that
  * a group walks over one list. Formulas and order are those of shade_tiles.cl, and so are the bits. */
 #include "load_pixel.h"
+#include "occlusion.h"
 #include "options.h"
 #include "shape.h"
 #include "sky.h"
@@ -32,7 +33,8 @@ __kernel void shade_pixels(const tl_frame frame,
     const tl_words words = load_words(&layout, planes, plane_size, at, frame.pitch);
     const surface s = unpacked_surface(&frame, needs, &layout, &words, rows, (scalar)column,
                                        (scalar)(frame.first_row + row));
-    const pixel in = pixel_of(needs, &layout, &words, -s.position.z);
+    pixel in = pixel_of(needs, &layout, &words, -s.position.z);
+    in.occlusion = ambient_share(&frame, needs, (tl_numbers)lights, in.occlusion, at);
     const substance m = substance_at(&frame, needs, in, rows);
     const finish f = finish_of(needs, s, m);
     received sum = nothing_received();

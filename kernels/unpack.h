@@ -150,6 +150,33 @@ TL_INLINE pixel pixel_of(tl_needs needs,
     return p;
 }
 
+/* In view space, unit or 0. */
+TL_INLINE vec3 normal_of(const tl_frame *frame, const tl_layout *layout, const tl_words *words)
+{
+    const vec3 stored = stored_normal(layout, words);
+    return layout->normal_space == TL_NORMALS_IN_VIEW ? unit3(stored)
+                                                      : view_normal(frame, stored);
+}
+
+/* As much of a surface as others around it need. */
+typedef struct near_surface {
+    real depth;  /* m along the view axis */
+    vec3 normal; /* view space, unit or 0 */
+} near_surface;
+
+TL_INLINE near_surface near_surface_of(const tl_frame *frame,
+                                       tl_needs needs,
+                                       const tl_layout *layout,
+                                       const tl_words *words,
+                                       real column,
+                                       real row)
+{
+    near_surface s;
+    s.depth = -position_of(frame, needs, layout, words, column, row).z;
+    s.normal = normal_of(frame, layout, words);
+    return s;
+}
+
 /* How a packed pixel is lit. rows: brdf_row.h. */
 TL_INLINE surface unpacked_surface(const tl_frame *frame,
                                    tl_needs needs,
@@ -162,9 +189,7 @@ TL_INLINE surface unpacked_surface(const tl_frame *frame,
     const vec3 position = position_of(frame, needs, layout, words, column, row);
     const pixel in = pixel_of(needs, layout, words, -position.z);
     return surface_at(needs, position,
-                      layout->normal_space == TL_NORMALS_IN_VIEW
-                          ? unit3(in.normal)
-                          : view_normal(frame, in.normal),
+                      normal_of(frame, layout, words),
                       substance_at(frame, needs, in, rows).shininess, in.specular.x);
 }
 

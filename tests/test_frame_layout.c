@@ -40,6 +40,7 @@ static const struct {
     FIELD(tl_frame, shapes_at),
     FIELD(tl_frame, sky_at),
     FIELD(tl_frame, calls_at),
+    FIELD(tl_frame, surroundings_at),
     FIELD(tl_frame, exponent),
     {"sizeof tl_view_light", sizeof(tl_view_light)},
     FIELD(tl_view_light, position),

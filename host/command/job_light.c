@@ -40,6 +40,12 @@ tl_status job_default_lights(job *j, tl_error *err)
     return tl_light_set_add_rig(&j->lights, &j->gbuffer->camera, err);
 }
 
+void job_choose_occlusion(job *j, const lighting_choice *choice)
+{
+    if (choice->occlusion_radius >= 0.0)
+        j->lights.occlusion_radius = (float)choice->occlusion_radius;
+}
+
 static void report_counts(job *j, const tl_lighting_counts *c)
 {
     job_report(j, "lights",
@@ -118,6 +124,7 @@ tl_status job_light(job *j,
 
     console_stage("lighting");
     TRY(job_default_lights(j, err));
+    job_choose_occlusion(j, choice);
     tell_model(j);
     TRY(tl_image_create(camera->width, camera->height, &j->image, err));
     if (goal)

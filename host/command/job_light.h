@@ -18,6 +18,9 @@ tl_status job_prepare_light(job *j,
 /* Adds a default rig, and says so, where neither a file nor the G-buffer brought lights. */
 tl_status job_default_lights(job *j, tl_error *err);
 
+/* The radius of ambient occlusion that was chosen, in place of the lights' own. */
+void job_choose_occlusion(job *j, const lighting_choice *choice);
+
 /* From the job's G-buffer and lights to its image. Without lights, a default rig lights it. `goal` is what
  * the picture is to keep; NULL: it is lit as the choice says. `told` is
  * what --explain tells of, released with explained_clear; NULL where nothing asks for it. */

@@ -2,6 +2,7 @@
 
 #include "approximation_options.h"
 #include "strict_options.h"
+#include "tilelight/occlusion.h"
 #include "values.h"
 
 #define COUNT_OF(array) (sizeof(array) / sizeof(array)[0])
@@ -17,7 +18,9 @@ enum {
     OPTION_MEMORY,
     OPTION_PATH,
     OPTION_EFFECTS,
-    OPTION_FILTER
+    OPTION_FILTER,
+    OPTION_OCCLUSION,
+    OPTION_SAMPLES_OF_OCCLUSION
 };
 
 #define WORD(name, word, meaning) [name] = word,
@@ -35,10 +38,13 @@ static const value_words precisions = {"precision", "precisions", precision_word
 
 static const uint32_t tile_sizes[] = {8, 16, 32, 64};
 static const uint32_t widths[] = {1, 4, 8, 16};
+#define SAMPLES(samples, slices, steps) samples,
+static const uint32_t occlusion_samples[] = {TL_OCCLUSION_SAMPLES(SAMPLES)};
 
 lighting_choice lighting_choice_default(void)
 {
-    return (lighting_choice){.options = tl_lighting_options_default()};
+    return (lighting_choice){.options = tl_lighting_options_default(),
+                             .occlusion_radius = -1.0};
 }
 
 static error_t parse(int key, char *text, struct argp_state *state)
@@ -76,6 +82,14 @@ static error_t parse(int key, char *text, struct argp_state *state)
     case OPTION_FILTER:
         options->shadow_filter =
             value_integer(state, "--shadow-filter", text, 1, TL_MOST_SHADOW_FILTER);
+        return 0;
+    case OPTION_OCCLUSION:
+        choice->occlusion_radius = value_number(state, "--ambient-occlusion", text, 0.0, 1e18);
+        return 0;
+    case OPTION_SAMPLES_OF_OCCLUSION:
+        options->occlusion_samples =
+            value_among(state, "--occlusion-samples", text, occlusion_samples,
+                        COUNT_OF(occlusion_samples));
         return 0;
     case OPTION_MEMORY:
         options->memory_limit =
@@ -118,6 +132,14 @@ static const struct argp_option options_table[] = {
     {"shadow-filter", OPTION_FILTER, "TEXELS", 0,
      "Width of a shadow's edge, in texels of its map: 1 to 13 (default 2); time grows with its "
      "square",
+     0},
+    {"ambient-occlusion", OPTION_OCCLUSION, "METRES", 0,
+     "Keep ambient light from where surfaces within this radius stand around, in place of what "
+     "the lights file says; 0: nowhere",
+     0},
+    {"occlusion-samples", OPTION_SAMPLES_OF_OCCLUSION, "COUNT", 0,
+     "Looks around each pixel for that: 4, 8, 16, 32, 64, 128 or 256 (default 16); time grows "
+     "with it",
      0},
     {"memory", OPTION_MEMORY, "MB", 0,
      "Device memory that lighting may take beside the frame itself; a frame that needs more is "

@@ -13,6 +13,7 @@ typedef struct lighting_choice {
     const char *lights; /* a lights file; NULL: what the frame brings */
     const char
         *chosen; /* an option that was given and that promises choose themselves; NULL: none */
+    double occlusion_radius; /* m, of ambient occlusion; below 0: what the lights say */
     bool strict; /* refuse pixels that would have to be repaired */
 } lighting_choice;
 

@@ -203,6 +203,30 @@ static tl_status read_ambient(const tl_place *at,
     return tl_read_vector(at, "ambient", value, set->ambient, err);
 }
 
+static tl_status read_occlusion(const tl_place *at,
+                                json_t *object,
+                                tl_light_set *set,
+                                tl_error *err)
+{
+    static const char *const words[] = {"radius"};
+    const tl_place inside = {.source = at->source, .inside = " ambientOcclusion:"};
+    tl_status status = TL_OK;
+    const char *key;
+    json_t *value;
+    if (!json_is_object(object) || !json_object_get(object, words[0]))
+        TRY(tl_fail(err, TL_ERR_FORMAT,
+                    "%s: \"ambientOcclusion\" must be an object with a \"radius\", in metres",
+                    at->source));
+    json_object_foreach(object, key, value)
+    {
+        if (strcmp(key, words[0]) != 0)
+            TRY(tl_unknown_field(&inside, key, words, 1, err));
+        TRY(tl_read_number(&inside, words[0], value, &set->occlusion_radius, err));
+    }
+done:
+    return status;
+}
+
 static tl_status read_version(const tl_place *at,
                               json_t *value,
                               tl_light_set *set,
@@ -248,9 +272,13 @@ static tl_status read_top(const char *source, json_t *root, tl_light_set *set, t
     static const struct {
         const char *name;
         tl_status (*read)(const tl_place *at, json_t *value, tl_light_set *set, tl_error *err);
-    } members[] = {{"tilelight", read_version}, {"ambient", read_ambient},
-                   {"sky", tl_sky_read},        {"lights", read_lights},
-                   {"model", read_model},       {"shininess", read_shininess},
+    } members[] = {{"tilelight", read_version},
+                   {"ambient", read_ambient},
+                   {"ambientOcclusion", read_occlusion},
+                   {"sky", tl_sky_read},
+                   {"lights", read_lights},
+                   {"model", read_model},
+                   {"shininess", read_shininess},
                    {"materials", read_later}};
     enum { MEMBER_COUNT = sizeof members / sizeof members[0] };
     tl_status status = TL_OK;

@@ -188,6 +188,11 @@ static void print_set(writing *w)
     const tl_light_set *const set = w->set;
     fputs("{ \"tilelight\": 1,\n  \"ambient\": ", out);
     print_vector(out, set->ambient);
+    if (set->occlusion_radius > 0.0f) {
+        fputs(",\n  \"ambientOcclusion\": { \"radius\": ", out);
+        print_number(out, set->occlusion_radius);
+        fputs(" }", out);
+    }
     fputs(",\n  \"sky\": ", out);
     print_sky(w);
     if (set->model != (enum tl_shading_model)0)

@@ -11,6 +11,7 @@
 #include "shadow_sections.h"
 #include "shapes.h"
 #include "spot_cone.h"
+#include "surroundings.h"
 #include "tile_choices.h"
 #include "try.h"
 #include "view.h"
@@ -312,6 +313,15 @@ static void tell_of_shadows(const tl_gbuffer *gbuffer,
                   count == 1 ? "it" : "them");
 }
 
+static void tell_of_occlusion(const tl_light_set *lights,
+                              const tl_needs *needs,
+                              const tl_notices *notices)
+{
+    if (lights->occlusion_radius > 0.0f && !needs->surroundings)
+        tl_notice(notices, "ambient occlusion is for nothing: there is no ambient light to keep "
+                           "from surfaces; \"ambient\" of the lights file brings some");
+}
+
 tl_status tl_prepare(const tl_gbuffer *gbuffer,
                      const tl_light_set *lights,
                      const tl_prepare_options *options,
@@ -331,6 +341,7 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
     prepared->brightest_texel = 1.0f;
     prepared->brightness = 0.0;
     prepared->sections_size = 0;
+    prepared->planes_size = 0;
     prepared->spots = (tl_view_spot *)(prepared->lights + lights->count);
     collect(gbuffer, lights, options, 1, prepared);
     collect(gbuffer, lights, options, 0, prepared);
@@ -354,8 +365,11 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
     name_empty_cones(lights, notices);
     tell_of_rows(gbuffer, lights, &table, notices);
     tell_of_shadows(gbuffer, lights, notices);
+    tell_of_occlusion(lights, &prepared->needs, notices);
     if (options->effects != TL_EFFECTS_ALL)
         TRY(tl_choices_open(prepared, err));
+    if (prepared->needs.surroundings)
+        TRY(tl_surroundings_add(gbuffer, lights, options->occlusion_samples, prepared, err));
     /* Sections may have moved while others were added. */
     if (reads_planes(prepared->needs, TL_GROUP_BRDF))
         prepared->rows = tl_section_at(prepared, prepared->frame.brdfs_at);
@@ -369,6 +383,11 @@ size_t tl_prepared_lights_size(const tl_prepared *prepared)
     if (prepared->sections_size > 0)
         return count * TL_LIGHT_AND_CONE + prepared->sections_size;
     return count * (prepared->needs.spots ? TL_LIGHT_AND_CONE : sizeof(tl_view_light));
+}
+
+size_t tl_prepared_buffer_size(const tl_prepared *prepared)
+{
+    return tl_prepared_lights_size(prepared) + prepared->planes_size;
 }
 
 void tl_prepared_clear(tl_prepared *prepared)

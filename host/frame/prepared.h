@@ -23,6 +23,8 @@ typedef struct tl_prepared {
     size_t capacity;        /* lights that there is room for in all of these */
     size_t memory_size;     /* bytes at `lights` */
     size_t sections_size;   /* bytes of the sections behind the cones: sections.h */
+    /* bytes of the planes of surroundings behind those, which are computed and not uploaded; 0: none */
+    size_t planes_size;
     /* [images of the set], row of each that is in a section, else 0; owned */
     tl_u32 *images_at;
     size_t image_capacity;
@@ -44,12 +46,13 @@ typedef struct tl_prepare_options {
     float light_cutoff; /* tl_lighting_options.light_cutoff */
     tl_effects_mode effects;
     uint32_t shadow_filter; /* tl_lighting_options.shadow_filter; 0: TL_DEFAULT_SHADOW_FILTER */
+    uint32_t occlusion_samples; /* tl_lighting_options.occlusion_samples; 0: the default */
 } tl_prepare_options;
 
 /* Fills *prepared, growing its lights where they do not fit; all zero is a valid start. Lights that add
  * exactly nothing are not among them (explanation.idle_lights), unless all effects are asked for. Names
- * spots that light nothing, materials that are for nothing, and lights that cast shadows of which there is no
- * map, in a notice. Fails as tl_brdf_table_make
+ * spots that light nothing, materials and ambient occlusion that are for nothing, and lights that cast shadows
+ * of which there is no map, in a notice. Fails as tl_brdf_table_make
  * does, with TL_ERR_ARGUMENT (more than 2^31 lights, or sections that rows do not count) or
  * TL_ERR_MEMORY. */
 tl_status tl_prepare(const tl_gbuffer *gbuffer,
@@ -62,6 +65,9 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
 /* Bytes of prepared->lights that a device is given: the lights, and where there are spots or sections the
  * cones behind them, and the sections. */
 size_t tl_prepared_lights_size(const tl_prepared *prepared);
+
+/* Bytes that the device's buffer of them has: those, and room for planes of surroundings. */
+size_t tl_prepared_buffer_size(const tl_prepared *prepared);
 
 /* Leaves it all zero. */
 void tl_prepared_clear(tl_prepared *prepared);

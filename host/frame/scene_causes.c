@@ -80,6 +80,8 @@ tl_explanation tl_causes_of_frame(const tl_gbuffer *gbuffer,
     e.is_dark = gbuffer->is_dark && !table->selects;
     if (is_lit_by(lights->ambient) && !e.is_dark)
         e.causes |= TL_BY(TL_CAUSE_AMBIENT);
+    if (lights->occlusion_radius > 0.0f)
+        e.causes |= TL_BY(TL_CAUSE_RADIUS);
     if (tl_light_set_has_sky(lights))
         e.causes |= TL_BY(sky_causes[lights->sky_type]);
     if (lights->has_shininess)
@@ -229,6 +231,7 @@ void tl_needs_by_causes(tl_explanation *e, tl_needs *needs)
     needs->spots = (tl_u32)is_on(e, TL_EFFECT_SPOTS);
     needs->one_color = (tl_u32)is_on(e, TL_EFFECT_ONE_COLOR);
     needs->ambient = (tl_u32)is_on(e, TL_EFFECT_AMBIENT);
+    needs->surroundings = (tl_u32)is_on(e, TL_EFFECT_SURROUNDINGS);
     needs->fixed_exponent = (tl_u32)is_on(e, TL_EFFECT_EXPONENT);
     needs->shapes = shapes_of(e);
     needs->sky = is_on(e, TL_EFFECT_SKY_GRADIENT) ? TL_GRADIENT_SKY

@@ -10,6 +10,19 @@ typedef struct band {
     uint32_t first, count;
 } band;
 
+/* Whether the picture's planes are on the device whatever the band: where they are the host's own memory, and
+ * where pixels are dimmed by what stands around them, in other bands too. */
+static int has_whole_planes(const tl_pass_context *c)
+{
+    return c->device->shares_memory || c->prepared->needs.surroundings;
+}
+
+/* Of the words and the radiance. */
+static uint64_t bytes_per_pixel(const tl_gbuffer *gbuffer)
+{
+    return tl_gbuffer_pixel_size(gbuffer) + 3 * sizeof(float);
+}
+
 /* Bytes of the device's own memory per row of tiles, lists apart. */
 static uint64_t bytes_per_row(const tl_pass_context *c, const tl_gbuffer *gbuffer)
 {
@@ -19,16 +32,18 @@ static uint64_t bytes_per_row(const tl_pass_context *c, const tl_gbuffer *gbuffe
         (TL_MAX_BOXES * 6 * element + (1 + TL_LIGHT_BLOCK / 32) * sizeof(cl_int)) *
             frame->box_pitch +
         2 * sizeof(cl_uint) * frame->tiles_x + sizeof(cl_ulong);
-    const uint64_t pixels =
-        (tl_gbuffer_pixel_size(gbuffer) + 3 * sizeof(float)) * frame->pitch * frame->tile_size;
-    return tiles + (c->device->shares_memory ? 0 : pixels);
+    const uint64_t pixels = bytes_per_pixel(gbuffer) * frame->pitch * frame->tile_size;
+    return tiles + (has_whole_planes(c) ? 0 : pixels);
 }
 
-static uint64_t bytes_of_lights(const tl_pass_context *c)
+/* Of what bands have in common: lights, and planes that are there whole. */
+static uint64_t bytes_in_common(const tl_pass_context *c, const tl_gbuffer *gbuffer)
 {
     const uint64_t count = c->prepared->frame.light_count;
-    return tl_prepared_lights_size(c->prepared) +
-           TL_RECT_PLANE_COUNT * TL_RECT_PITCH(count) * sizeof(cl_int);
+    const uint64_t planes = (uint64_t)gbuffer->pitch * gbuffer->rows * bytes_per_pixel(gbuffer);
+    return tl_prepared_buffer_size(c->prepared) +
+           TL_RECT_PLANE_COUNT * TL_RECT_PITCH(count) * sizeof(cl_int) +
+           (has_whole_planes(c) && !c->device->shares_memory ? planes : 0);
 }
 
 static tl_status too_small(const tl_band_options *options, uint64_t needed, tl_error *err)
@@ -46,7 +61,7 @@ static tl_status first_guess(const tl_pass_context *c,
                              uint32_t *rows,
                              tl_error *err)
 {
-    const uint64_t row = bytes_per_row(c, gbuffer), lights = bytes_of_lights(c);
+    const uint64_t row = bytes_per_row(c, gbuffer), lights = bytes_in_common(c, gbuffer);
     *rows = c->prepared->frame.tiles_y;
     if (options->memory_limit == 0)
         return TL_OK;
@@ -63,14 +78,15 @@ static void aim_at(tl_pass_context *c, const tl_gbuffer *gbuffer, band at)
     c->frame = c->prepared->frame;
     c->frame.tiles_y = at.count;
     c->frame.first_row = at.first * tile;
-    c->frame.rows = c->device->shares_memory ? gbuffer->rows : at.count * tile;
-    c->frame.buffer_row = c->device->shares_memory ? c->frame.first_row : 0;
+    c->frame.rows = has_whole_planes(c) ? gbuffer->rows : at.count * tile;
+    c->frame.buffer_row = has_whole_planes(c) ? c->frame.first_row : 0;
 }
 
 /* Rows of the band, plane after plane. */
 static tl_status upload_words(tl_pass_context *c, const tl_gbuffer *gbuffer, tl_error *err)
 {
     const size_t pixels = (size_t)gbuffer->pitch * c->frame.rows;
+    const size_t first_row = c->frame.first_row - c->frame.buffer_row;
     tl_status status = TL_OK;
     size_t before = 0;
     TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_PLANES,
@@ -83,7 +99,7 @@ static tl_status upload_words(tl_pass_context *c, const tl_gbuffer *gbuffer, tl_
         TRY(tl_cl(clEnqueueWriteBuffer(
                       c->device->queue, c->buffers->of[TL_BUFFER_PLANES].memory, CL_TRUE,
                       before * pixels, bytes * pixels,
-                      from + bytes * gbuffer->pitch * c->frame.first_row, 0, NULL, NULL),
+                      from + bytes * gbuffer->pitch * first_row, 0, NULL, NULL),
                   "clEnqueueWriteBuffer", err));
         before += bytes;
     }
@@ -118,8 +134,8 @@ done:
 static tl_status upload_lights(tl_pass_context *c, tl_error *err)
 {
     const size_t size = tl_prepared_lights_size(c->prepared);
-    const tl_status status =
-        tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_LIGHTS, size, err);
+    const tl_status status = tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_LIGHTS,
+                                                tl_prepared_buffer_size(c->prepared), err);
     if (status != TL_OK)
         return status;
     return tl_buffers_send(c->buffers, c->device, TL_BUFFER_LIGHTS, c->prepared->lights, size,
@@ -137,8 +153,10 @@ static tl_status read_back(tl_pass_context *c, tl_image *image, tl_error *err)
                              3 * host_plane, err));
         TRY(tl_pass_finish(c, err));
     } else {
-        const size_t origin[3] = {0, 0, 0}, host_origin[3] = {0, c->frame.first_row, 0};
-        const size_t region[3] = {row, c->frame.rows, 3};
+        const size_t rows = (size_t)c->frame.tiles_y * c->frame.tile_size;
+        const size_t origin[3] = {0, c->frame.buffer_row, 0},
+                     host_origin[3] = {0, c->frame.first_row, 0};
+        const size_t region[3] = {row, rows, 3};
         TRY(tl_cl(clEnqueueReadBufferRect(c->device->queue,
                                           c->buffers->of[TL_BUFFER_RADIANCE].memory, CL_TRUE,
                                           origin, host_origin, region, row, row * c->frame.rows,
@@ -156,7 +174,7 @@ static int fits(const tl_pass_context *c,
                 const tl_list_lengths *lengths,
                 uint64_t *needed)
 {
-    *needed = bytes_of_lights(c) + bytes_per_row(c, gbuffer) * c->frame.tiles_y +
+    *needed = bytes_in_common(c, gbuffer) + bytes_per_row(c, gbuffer) * c->frame.tiles_y +
               (lengths->tiles + lengths->cells) * sizeof(cl_uint);
     return lengths->tiles <= UINT32_MAX && lengths->cells <= UINT32_MAX &&
            (options->memory_limit == 0 || *needed <= options->memory_limit);
@@ -279,6 +297,30 @@ static uint64_t entries_of(const tl_pass_context *c,
                                                : c->frame.light_count - c->frame.global_count;
 }
 
+/* The shares of ambient light of the whole picture: by the first band that is lit, and by the next once buffers
+ * were given up. */
+static tl_status occlude(tl_pass_context *c,
+                         const tl_gbuffer *gbuffer,
+                         tl_timings *timings,
+                         double *ms,
+                         tl_error *err)
+{
+    const band whole = {0, c->prepared->frame.tiles_y};
+    const tl_frame of_band = c->frame;
+    const double clock = tl_seconds();
+    tl_status status = TL_OK;
+    if (!c->prepared->needs.surroundings || c->has_surroundings)
+        return TL_OK;
+    aim_at(c, gbuffer, whole);
+    TRY(tl_pass_occlude(c, ms, err));
+    TRY(tl_pass_finish(c, err));
+    c->has_surroundings = 1;
+    tl_timings_end(timings, "occlude", clock);
+done:
+    c->frame = of_band;
+    return status;
+}
+
 /* One band. *fitted is 0, and nothing lit, where cull_band says so. */
 static tl_status light_band(tl_pass_context *c,
                             const tl_band_options *options,
@@ -300,6 +342,8 @@ static tl_status light_band(tl_pass_context *c,
         TRY(keep_lists(c, options->kept,
                        entries_of(c, options, counts->list_length - listed_before), err));
     if (*fitted) {
+        TRY(occlude(c, gbuffer, timings, &counts->device_occlusion_ms, err));
+        clock = tl_seconds();
         TRY(shade(c, counts, err));
         clock = tl_timings_end(timings, "shade", clock);
         TRY(read_back(c, image, err));
@@ -337,6 +381,7 @@ tl_status tl_bands_light(tl_pass_context *c,
         }
         rows = at.count / 2;
         tl_buffers_release(c->buffers); /* they were sized for the larger band */
+        c->has_surroundings = 0;
         TRY(upload_lights(c, err));
     }
     counts->device_bytes = tl_buffers_size(c->buffers);
@@ -363,6 +408,8 @@ tl_status tl_bands_shade_again(tl_pass_context *c,
     aim_at(c, gbuffer, whole);
     c->frame.global_count = global_count;
     TRY(upload(c, gbuffer, image, err));
+    if (c->programs[TL_PART_OCCLUDE])
+        TRY(tl_pass_occlude(c, ms, err));
     if (c->programs[TL_PART_SHADE]->options.timed)
         TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_TIMES,
                                2 * tl_tile_count(&c->frame) * sizeof(cl_ulong), err));

@@ -9,7 +9,7 @@
     X(TL_BUFFER_BOXES, "[2][6][tiles_y][box_pitch] scalars")                \
     X(TL_BUFFER_COUNTS, "[tiles_y][box_pitch] int")                         \
     X(TL_BUFFER_BITS, "[tiles_y][TL_LIGHT_BLOCK / 32][box_pitch] int")      \
-    X(TL_BUFFER_LIGHTS, "[light_count] tl_view_light, then tl_view_spot")   \
+    X(TL_BUFFER_LIGHTS, "[light_count] tl_view_light, tl_view_spot, ...")   \
     X(TL_BUFFER_RECTS, "[TL_RECT_PLANE_COUNT][TL_RECT_PITCH] int")          \
     X(TL_BUFFER_STARTS, "[tiles_y * tiles_x] uint")                         \
     X(TL_BUFFER_ENDS, "[tiles_y * tiles_x] uint")                           \

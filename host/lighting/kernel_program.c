@@ -79,6 +79,7 @@ static const char *text_of(const tl_program *made)
 {
     static const char *const texts[TL_PART_COUNT] = {
         [TL_PART_CULL] = tl_cull_kernels,
+        [TL_PART_OCCLUDE] = tl_occlude_kernels,
         [TL_PART_SHADE] = tl_shade_kernels,
     };
     return made->user.text ? made->user.text : texts[made->part];
@@ -266,10 +267,24 @@ static uint32_t present_to_cull(uint32_t layout, uint32_t present)
     return needed;
 }
 
+/* Surroundings are made of depths and normals. */
+static tl_kernel_options options_to_occlude(const tl_kernel_options *o)
+{
+    return (tl_kernel_options){.width = o->width,
+                               .by_pixel = o->by_pixel,
+                               .real_double = o->real_double,
+                               .orthographic = o->orthographic,
+                               .layout = o->layout,
+                               .present = o->present,
+                               .surroundings = o->surroundings};
+}
+
 static tl_kernel_options options_of(tl_program_part part, const tl_kernel_options *o)
 {
-    if (part != TL_PART_CULL)
+    if (part == TL_PART_SHADE)
         return *o;
+    if (part == TL_PART_OCCLUDE)
+        return options_to_occlude(o);
     return (tl_kernel_options){.width = o->width,
                                .by_pixel = o->by_pixel,
                                .real_double = o->real_double,

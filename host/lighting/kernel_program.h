@@ -24,7 +24,12 @@ void tl_kernel_flags(const tl_kernel_options *options, char *text, size_t size);
 
 /* Parts of a frame's work have a program each: scenes differ in what shading is built for, and share
  * the kernels that cull, which take the longest to compile. */
-typedef enum tl_program_part { TL_PART_CULL, TL_PART_SHADE, TL_PART_COUNT } tl_program_part;
+typedef enum tl_program_part {
+    TL_PART_CULL,
+    TL_PART_OCCLUDE,
+    TL_PART_SHADE,
+    TL_PART_COUNT
+} tl_program_part;
 
 /* Of those that a program lacks the handle is NULL.
  * X(name in the program and here, its part, whether it is there: of `options` and `has_double`) */
@@ -34,6 +39,9 @@ typedef enum tl_program_part { TL_PART_CULL, TL_PART_SHADE, TL_PART_COUNT } tl_p
     X(bound_tiles, TL_PART_CULL, options->by_pixel) \
     X(list_cells, TL_PART_CULL, options->by_pixel)  \
     X(list_tiles, TL_PART_CULL, options->by_pixel)  \
+    X(gather_surroundings, TL_PART_OCCLUDE, 1)      \
+    X(occlude, TL_PART_OCCLUDE, 1)                  \
+    X(smooth_surroundings, TL_PART_OCCLUDE, 1)      \
     X(shade_tiles, TL_PART_SHADE, 1)                \
     X(shade_pixels, TL_PART_SHADE, options->by_pixel)
 

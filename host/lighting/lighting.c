@@ -3,6 +3,7 @@
 #include "ranges.h"
 #include "reference.h"
 #include "tilelight/layouts.h"
+#include "tilelight/occlusion.h"
 #include "try.h"
 
 #include <inttypes.h>
@@ -95,6 +96,10 @@ static tl_status check_options(const tl_device *device,
     if (options->shadow_filter > TL_MOST_SHADOW_FILTER)
         return tl_fail(err, TL_ERR_ARGUMENT, "a shadow filter of %u texels: %d at most",
                        options->shadow_filter, TL_MOST_SHADOW_FILTER);
+    if (!tl_occlusion_slices_of(options->occlusion_samples))
+        return tl_fail(err, TL_ERR_ARGUMENT,
+                       "%u samples of ambient occlusion: it must be a power of 2 from 4 to 256",
+                       options->occlusion_samples);
     if (!(options->light_cutoff >= 0.0f && options->light_cutoff < INFINITY))
         return tl_fail(err, TL_ERR_ARGUMENT, "a light cutoff of %g lx: it must be 0 or above",
                        (double)options->light_cutoff);
@@ -179,7 +184,8 @@ tl_kernel_options tl_lighting_kernels(const tl_lighting *lighting, const tl_need
                                .fixed_exponent = needs->fixed_exponent,
                                .choices = needs->choices,
                                .shapes = needs->shapes,
-                               .sky = needs->sky};
+                               .sky = needs->sky,
+                               .surroundings = needs->surroundings};
 }
 
 static void keep_programs(const tl_device *device,
@@ -201,6 +207,13 @@ static tl_arithmetic arithmetic_of(const tl_lighting_options *options)
     return tl_approximations_are_default(&options->approximations)
                ? precisions[options->precision].arithmetic
                : TL_TWIN_CHOSEN;
+}
+
+static int is_needed(tl_program_part part, const tl_prepared *prepared, const tl_band_options *bands)
+{
+    return part == TL_PART_CULL      ? tl_bands_cull(prepared, bands)
+           : part == TL_PART_OCCLUDE ? (int)prepared->needs.surroundings
+                                     : 1;
 }
 
 static tl_status run_on_device(tl_lighting *lighting,
@@ -227,7 +240,7 @@ static tl_status run_on_device(tl_lighting *lighting,
                                .by_pixel = (int)kernels.by_pixel};
     const double clock = tl_seconds();
     for (tl_program_part part = 0; part < TL_PART_COUNT; part++)
-        if (part != TL_PART_CULL || tl_bands_cull(&lighting->prepared, &bands))
+        if (is_needed(part, &lighting->prepared, &bands))
             TRY(tl_program_find(lighting->device, part, &kernels, &options->kernel,
                                 &context.programs[part], err));
     tl_timings_end(timings, "compile", clock);
@@ -411,7 +424,8 @@ tl_status tl_lighting_run(tl_lighting *lighting,
                                          .box_count = box_counts[options->cull],
                                          .light_cutoff = options->light_cutoff,
                                          .effects = options->effects,
-                                         .shadow_filter = options->shadow_filter},
+                                         .shadow_filter = options->shadow_filter,
+                                         .occlusion_samples = options->occlusion_samples},
                    notices, &lighting->prepared, err));
     lighting->prepared.approximations = options->approximations;
     clock = tl_timings_end(timings, "prepare", clock);

@@ -42,6 +42,25 @@ done:
     return status;
 }
 
+tl_status tl_pass_occlude(tl_pass_context *c, double *ms, tl_error *err)
+{
+    static const tl_buffer_name from_planes[] = {TL_BUFFER_PLANES, TL_BUFFER_LIGHTS},
+                                numbers[] = {TL_BUFFER_LIGHTS};
+    const tl_program *program = c->programs[TL_PART_OCCLUDE];
+    const size_t tiles = tl_tile_count(&c->frame),
+                 pixels = (size_t)c->frame.tile_size * c->frame.tile_size;
+    const tl_work size =
+        c->by_pixel ? tl_groups(tiles * pixels / TL_GROUP) : tl_alone(tiles);
+    tl_status status = TL_OK;
+    TRY(tl_launch(c, TL_PART_OCCLUDE, program->gather_surroundings, "gather_surroundings",
+                  from_planes, 2, size, ms, err));
+    TRY(tl_launch(c, TL_PART_OCCLUDE, program->occlude, "occlude", numbers, 1, size, ms, err));
+    TRY(tl_launch(c, TL_PART_OCCLUDE, program->smooth_surroundings, "smooth_surroundings",
+                  numbers, 1, size, ms, err));
+done:
+    return status;
+}
+
 /* A user's kernel, which stands in for shade_tiles, says itself what its work-items are. */
 tl_status tl_pass_shade(tl_pass_context *c, double *ms, tl_error *err)
 {

@@ -29,6 +29,9 @@ static tl_status shade_again(tl_lighting *lighting,
         gbuffer = lighting->unpacked;
     TRY(tl_program_find(lighting->device, TL_PART_SHADE, kernels, &lighting->options.kernel,
                         &context.programs[TL_PART_SHADE], err));
+    if (kernels->surroundings)
+        TRY(tl_program_find(lighting->device, TL_PART_OCCLUDE, kernels, NULL,
+                            &context.programs[TL_PART_OCCLUDE], err));
     TRY(tl_bands_shade_again(&context, gbuffer, image, &lighting->counts, ms, err));
 done:
     if (context.programs[TL_PART_SHADE])

@@ -1,6 +1,7 @@
 #include "reference.h"
 
 #include "parallel.h"
+#include "surround.h"
 #include "twin.h"
 
 #define DECLARE_TWINS(name, word) extern tl_twin_rows tl_twin_##word##_portable;
@@ -55,5 +56,6 @@ void tl_reference_light(const tl_prepared *prepared,
              .planes = tl_word_planes_of(gbuffer)};
     for (unsigned i = 0; i < 3; i++)
         j.radiance[i] = tl_image_plane(image, i);
+    tl_reference_surround(prepared, gbuffer, arithmetic);
     tl_parallel(prepared->frame.tiles_y * prepared->frame.tile_size, 1, light_rows, &j);
 }

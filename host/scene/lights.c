@@ -156,6 +156,10 @@ tl_status tl_light_set_check(const tl_light_set *set, const char *source, tl_err
                 return tl_fail(err, TL_ERR_FORMAT, "%s: %s[%d] is %g, it must be from 0 to %g",
                                source, colors[c].name, i, (double)colors[c].values[i],
                                (double)TL_BRIGHTEST);
+    if (!(set->occlusion_radius >= 0.0f && set->occlusion_radius <= TL_FARTHEST))
+        return tl_fail(err, TL_ERR_FORMAT,
+                       "%s: ambientOcclusion: radius is %g m, it must be from 0 to %g", source,
+                       (double)set->occlusion_radius, (double)TL_FARTHEST);
     const tl_status sky = tl_light_sky_check(set, source, err);
     if (sky != TL_OK)
         return sky;

@@ -44,6 +44,7 @@ typedef enum tl_cause_kind {
     X(TL_CAUSE_OCCLUSION, TL_CAUSE_OF_PLANES, "occlusion")                                 \
     X(TL_CAUSE_EMISSION, TL_CAUSE_OF_PLANES, "emission")                                   \
     X(TL_CAUSE_AMBIENT, TL_CAUSE_OF_FRAME, "ambient light")                                \
+    X(TL_CAUSE_RADIUS, TL_CAUSE_OF_FRAME, "radius of ambient occlusion")                   \
     X(TL_CAUSE_SKY, TL_CAUSE_OF_FRAME, "colour of the sky")                                \
     X(TL_CAUSE_SKY_GRADIENT, TL_CAUSE_OF_FRAME, "gradient of the sky")                     \
     X(TL_CAUSE_SKY_IMAGE, TL_CAUSE_OF_FRAME, "image of the sky")                           \
@@ -65,6 +66,9 @@ typedef enum tl_cause {
 #undef TL_CAUSE_NAME
         TL_CAUSE_COUNT
 } tl_cause;
+
+/* One bit each. */
+typedef char tl_causes_fit[TL_CAUSE_COUNT <= 32 ? 1 : -1];
 
 #define TL_BY(cause) (1u << (cause))
 
@@ -119,6 +123,9 @@ typedef enum tl_cause {
       "TL_AMBIENT")                                                                            \
     X(TL_EFFECT_OCCLUSION, "occlusion", "the share of ambient light that arrives",             \
       TL_BY(TL_CAUSE_AMBIENT) | TL_BY(TL_CAUSE_OCCLUSION), TL_GROUP_OCCLUSION, "TL_IDLE")      \
+    X(TL_EFFECT_SURROUNDINGS, "ambient-occlusion",                                             \
+      "the share of ambient light that what stands around lets through",                       \
+      TL_BY(TL_CAUSE_AMBIENT) | TL_BY(TL_CAUSE_RADIUS), 0, "TL_SURROUNDINGS")                  \
     X(TL_EFFECT_EMISSION, "emission", "what surfaces send out by themselves",                  \
       TL_BY(TL_CAUSE_EMISSION), TL_GROUP_EMISSIVE, "TL_IDLE")                                  \
     X(TL_EFFECT_SKY, "sky", "a colour where nothing was hit", TL_BY(TL_CAUSE_SKY), 0,          \

@@ -128,6 +128,9 @@ typedef struct tl_lighting_options {
     /* Width of what the light that arrives is a mean over, in texels of a shadow map: 1 to
      * TL_MOST_SHADOW_FILTER, 0: TL_DEFAULT_SHADOW_FILTER. Another picture where there are shadows */
     uint32_t shadow_filter;
+    /* Of a pixel whose surroundings keep ambient light from it: a row of TL_OCCLUSION_SAMPLES (occlusion.h), 0:
+     * TL_DEFAULT_OCCLUSION_SAMPLES. Another picture where there is ambient occlusion */
+    uint32_t occlusion_samples;
     float light_cutoff; /* a light without a range ends where it gives this (lx); 0: never */
     uint64_t
         memory_limit; /* bytes of device memory beside shared ones; 0: what the device has */
@@ -148,6 +151,7 @@ typedef struct tl_lighting_counts {
     uint32_t band_count;   /* the frame was lit in this many parts, to fit memory_limit */
     uint64_t device_bytes; /* of the device's own buffers, at their largest */
     double device_cull_ms, device_shade_ms; /* from profiling events; 0 on the CPU paths */
+    double device_occlusion_ms;             /* the same, of ambient occlusion; shading apart */
     double first_kernel_s; /* when the first kernel began, on tl_seconds' clock; 0: none ran */
     double shade_wall_ms;  /* shading as the host saw it */
     double shade_processor_ms; /* processor time that the process took meanwhile: over

@@ -114,6 +114,8 @@ typedef enum tl_sky {
  * valid empty set. */
 typedef struct tl_light_set {
     float ambient[3]; /* linear Rec. 709; multiplies albedo and occlusion */
+    /* m, 0 to TL_FARTHEST: what surfaces within that keep from a pixel of ambient light; 0: nothing */
+    float occlusion_radius;
     tl_sky sky_type;
     float sky[3]; /* radiance: of a constant sky; of a gradient at the horizon; else 0 */
     float zenith[3], ground[3]; /* of a gradient: straight up and straight down */
