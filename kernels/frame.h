@@ -43,7 +43,7 @@ typedef struct tl_frame {
     tl_u32 brdfs_at, shapes_at, sky_at;
     tl_u32 calls_at; /* what each light calls for: choices.h */
     float exponent;  /* of all surfaces, where they have one (needs.h); else 0 */
-    tl_u32 surroundings_at; /* row of the buffer where its tl_view_surroundings is; 0: it has none */
+    tl_u32 surroundings_at; /* what keeps ambient light from pixels: occlusion.h */
     tl_u32 unused[2];
 } tl_frame;
 TL_STATIC_ASSERT(sizeof(tl_frame) == 192, frame_is_twelve_rows);
@@ -151,10 +151,11 @@ typedef struct tl_view_surroundings {
     float reach;      /* px across that it spans 1 m away; of parallel rays, anywhere */
     float most_reach; /* px across that are sampled at most */
     float slack, slack_per_depth, slack_per_depth2; /* as those of tl_view_shadow */
-    tl_u32 slices, steps; /* of a pixel; steps to either side of a slice */
+    tl_u32 slices, steps; /* of a pixel; looks to either side of a slice */
     tl_u32 table_at;      /* row of the buffer: directions and steps of slices */
     tl_u32 planes_at;     /* row of the buffer behind all sections: planes of the picture */
-    tl_u32 rows, unused;  /* rows of those */
+    tl_u32 rows;          /* of those */
+    tl_u32 halvings;      /* looks more to either side of a slice, for its horizon */
 } tl_view_surroundings;
 TL_STATIC_ASSERT(sizeof(tl_view_surroundings) == 48, view_surroundings_is_three_rows);
 

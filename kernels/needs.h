@@ -37,8 +37,8 @@ typedef struct tl_needs {
     tl_u32 choices; /* what tiles choose for themselves, bits of choices.h */
     /* 1: all surfaces have the exponent of the frame, in place of their own */
     tl_u32 fixed_exponent;
-    tl_u32 shapes; /* what some light has of it; 0: lights have no shapes */
-    tl_u32 sky;    /* 0: of one colour, frame.sky */
+    tl_u32 shapes;       /* what some light has of it; 0: lights have no shapes */
+    tl_u32 sky;          /* 0: of one colour, frame.sky */
     tl_u32 surroundings; /* 1: what stands around pixels keeps ambient light from them */
 } tl_needs;
 
@@ -46,10 +46,10 @@ typedef struct tl_needs {
 TL_INLINE tl_needs needs_of_build(void)
 {
     const tl_needs needs = {
-        TL_PRESENT,     TL_FALLOFFS_USED, TL_SPECULAR,       TL_ORTHOGRAPHIC, TL_LAYOUT,
-        TL_MODEL,       TL_SPOTS,         TL_ONE_COLOR,      TL_AMBIENT,      TL_IDLE,
-        TL_MODELS_USED, TL_CHOICES,       TL_FIXED_EXPONENT, TL_SHAPES,       TL_SKY,
-        TL_SURROUNDINGS};
+        TL_PRESENT,        TL_FALLOFFS_USED, TL_SPECULAR,    TL_ORTHOGRAPHIC,
+        TL_LAYOUT,         TL_MODEL,         TL_SPOTS,       TL_ONE_COLOR,
+        TL_AMBIENT,        TL_IDLE,          TL_MODELS_USED, TL_CHOICES,
+        TL_FIXED_EXPONENT, TL_SHAPES,        TL_SKY,         TL_SURROUNDINGS};
     return needs;
 }
 #endif

@@ -1,30 +1,31 @@
 /* Ambient light that what stands around a pixel keeps from it: which share of it arrives.
  *
  * Horizon-based ambient occlusion with the cosine in closed form: Jimenez, Wu, Pesce, Jarabo, "Practical
- * Realtime Strategies for Accurate Indirect Occlusion" (GTAO), 2016. The hemisphere over a pixel is cut into
- * slices, planes through the eye; in a slice, to either side, the picture's surfaces hide all directions from
- * the plane of the pixel up to the highest of them, its horizon.
+ * Realtime Strategies for Accurate Indirect Occlusion" (GTAO), 2016. The hemisphere over a pixel is cut
+ * into slices, planes through the eye; in a slice, to either side, the picture's surfaces hide all
+ * directions from the plane of the pixel up to the highest of them, its horizon.
  *
- * Their equation 7 gives what is left of a slice by the angles of both horizons from the eye. Here it is what is
- * lost, by the angle b of a horizon over the pixel's own plane, because that is exactly 0 where nothing rises
- * above it. v: towards the eye; s: the unit vector in the slice at right angles to it, to one side; n: the
- * normal; c = n.v, q = n.s, so (c, q) is the normal in the slice, g = atan2(q, c) its angle from the eye:
+ * Their equation 7 gives what is left of a slice by the angles of both horizons from the eye. Here it is
+ * what is lost, by the angle b of a horizon over the pixel's own plane, because that is exactly 0 where
+ * nothing rises above it. v: towards the eye; s: the unit vector in the slice at right angles to it, to one
+ * side; n: the normal; c = n.v, q = n.s, so (c, q) is the normal in the slice, g = atan2(q, c) its angle
+ * from the eye:
  *
  *     all of a slice   c + q g
  *     lost on the side of s     (c sin^2 b + q (b - sin b cos b)) / 2
  *     lost on the other side    the same of -q
  *
- * Both are their integral of cos(a) |sin(a + g)| over a, the angle from the normal, times the length of (c, q);
- * a horizon is not beyond the eye: b <= pi/2 + g. What arrives is 1 - sum of what is lost / sum of all: they
- * divide by the slices' number, which is exact for many slices, this for a plane in any number.
+ * Both are their integral of cos(a) |sin(a + g)| over a, the angle from the normal, times the length of (c,
+ * q); a horizon is not beyond the eye: b <= pi/2 + g. What arrives is 1 - sum of what is lost / sum of all:
+ * they divide by the slices' number, which is exact for many slices, this for a plane in any number.
  *
- * A sample d away: over the plane by h = n.d, along it by a = m.d, m = s c - v q, both times the same length,
- * so cos b = a / sqrt(h^2 + a^2). Samples are centres of pixels, not quite in their slice; h is of the sample's
- * own place, so that a plane has none above itself. Places are off by rounding and by what the layout drops,
- * and h is lessened by both.
+ * A sample d away: over the plane by h = n.d, along it by a = m.d, m = s c - v q, both times the same
+ * length, so cos b = a / sqrt(h^2 + a^2). Samples are centres of pixels, not quite in their slice; h is of
+ * the sample's own place, so that a plane has none above itself. Places are off by rounding and by what the
+ * layout drops, and h is lessened by both.
  *
- * A sample counts by 1 - (d/radius)^4, the window that lights with a range have, as a share of 1 - cos b: what
- * enters the radius does so without a step. Asserted by tests/test_occlusion_formulas.c. */
+ * A sample counts by 1 - (d/radius)^4, the window that lights with a range have, as a share of 1 - cos b:
+ * what enters the radius does so without a step. Asserted by tests/test_occlusion_formulas.c. */
 #ifndef TL_OCCLUSION_H
 #define TL_OCCLUSION_H
 
@@ -33,28 +34,21 @@
 
 #ifdef __OPENCL_C_VERSION__
 #    include "block.h"
-/* A block of a plane of floats, `pitch` numbers from row to row; at any place. */
-#    if TL_WIDTH == 1
-#        define FLOATS_AT(from, pitch) ((void)(pitch), TO_REAL(*(from)))
-#    elif TL_WIDTH == 4
-#        define FLOATS_AT(from, pitch) ((void)(pitch), TO_REAL(vload4(0, from)))
-#    elif TL_WIDTH == 8
-#        define FLOATS_AT(from, pitch) TO_REAL((float8)(vload4(0, from), vload4(0, (from) + (pitch))))
-#    else
-#        define FLOATS_AT(from, pitch)                                                 \
-            TO_REAL((float16)(vload4(0, from), vload4(0, (from) + (pitch)),            \
-                              vload4(0, (from) + 2 * (size_t)(pitch)),                 \
-                              vload4(0, (from) + 3 * (size_t)(pitch))))
-#    endif
+/* A block of a plane of floats. */
+#    define FLOATS_OF_BLOCK(from, pitch) \
+        WORD_AS_REAL(load_ints((__global const uchar *)(from), pitch))
 #else
-#    define FLOATS_AT(from, pitch) ((void)(pitch), (real)*(from))
+#    define FLOATS_OF_BLOCK(from, pitch) ((void)(pitch), (real) * (from))
+#    define LOAD(from, at) ((real)(from)[at])
 #endif
 
 /* Planes of floats behind the sections of the lights, [TL_AROUND_COUNT][rows][pitch] with TL_AROUND_MARGIN
- * floats of anything before and behind: blocks are read across the picture's edges. */
+ * floats of anything before and behind, for what is read across the picture's edges and not used. They are
+ * filled in whole patches, and pixels lie in vectors as runs of a row: what smoothing reads around each is
+ * then one load, of blocks of rows it is four and three shuffles. */
 enum tl_around_plane {
-    TL_AROUND_SHARE, /* of ambient light: what shading multiplies with */
-    TL_AROUND_DEPTH, /* m along the view axis; +infinity is sky */
+    TL_AROUND_SHARE,    /* of ambient light: what shading multiplies with */
+    TL_AROUND_DEPTH,    /* m along the view axis; +infinity is sky */
     TL_AROUND_NORMAL_X, /* view space, unit or 0 */
     TL_AROUND_NORMAL_Y,
     TL_AROUND_NORMAL_Z,
@@ -62,6 +56,20 @@ enum tl_around_plane {
     TL_AROUND_COUNT
 };
 #define TL_AROUND_MARGIN(pitch) (2 * (size_t)(pitch) + 64)
+#define TL_PATCH_COLUMNS 64 /* px: pitch is a multiple of it, rows of TL_PATCH_ROWS */
+#define TL_PATCH_ROWS 16
+#define TL_PATCHES(extent, side) (((extent) + (side)-1) / (side))
+
+/* Pixels that patches cover, more than the picture has by sky alone. */
+TL_INLINE tl_u32 around_width(const tl_frame *frame)
+{
+    return TL_PATCHES(frame->tiles_x * frame->tile_size, TL_PATCH_COLUMNS) * TL_PATCH_COLUMNS;
+}
+
+TL_INLINE tl_u32 around_height(const tl_frame *frame)
+{
+    return TL_PATCHES(frame->tiles_y * frame->tile_size, TL_PATCH_ROWS) * TL_PATCH_ROWS;
+}
 
 /* What is not sampled farther away, px: what would be is cut, and the radius with it. */
 #define TL_MOST_OCCLUSION_REACH 256
@@ -72,9 +80,10 @@ enum tl_around_plane {
 
 typedef struct around_view {
     tl_view_surroundings of;
-    tl_numbers planes;      /* TL_AROUND_SHARE's first pixel */
-    tl_numbers directions;  /* [slices][2][TL_PATTERN_CELLS]: px right, px down, of 1 px across */
-    tl_numbers steps;       /* [slices][steps][TL_PATTERN_CELLS]: shares of the reach */
+    tl_numbers planes; /* TL_AROUND_SHARE's first pixel */
+    tl_numbers
+        directions;   /* [slices][2][TL_PATTERN_CELLS]: px right, px down, of 1 px across */
+    tl_numbers steps; /* [slices][steps][TL_PATTERN_CELLS]: shares of the reach */
 } around_view;
 
 /* numbers: the buffer of lights. */
@@ -90,28 +99,29 @@ TL_INLINE around_view around_behind(const tl_frame *frame, tl_numbers numbers)
     return a;
 }
 
-TL_INLINE tl_numbers around_plane(const tl_frame *frame, around_view a, enum tl_around_plane plane)
+TL_INLINE tl_numbers around_plane(const tl_frame *frame,
+                                  around_view a,
+                                  enum tl_around_plane plane)
 {
     return a.planes + (size_t)plane * a.of.rows * frame->pitch;
 }
 
 TL_INLINE vec3 around_normal(const tl_frame *frame, around_view a, size_t at)
 {
-    const vec3 n = {
-        FLOATS_AT(around_plane(frame, a, TL_AROUND_NORMAL_X) + at, frame->pitch),
-        FLOATS_AT(around_plane(frame, a, TL_AROUND_NORMAL_Y) + at, frame->pitch),
-        FLOATS_AT(around_plane(frame, a, TL_AROUND_NORMAL_Z) + at, frame->pitch)};
+    const vec3 n = {LOAD(around_plane(frame, a, TL_AROUND_NORMAL_X), at),
+                    LOAD(around_plane(frame, a, TL_AROUND_NORMAL_Y), at),
+                    LOAD(around_plane(frame, a, TL_AROUND_NORMAL_Z), at)};
     return n;
 }
 
-/* What shading multiplies ambient light with: `occlusion` of the pixel's own, times what stands around. at: the
- * block's first pixel in the whole picture's planes. */
-TL_INLINE real
-ambient_share(const tl_frame *frame, tl_needs needs, tl_numbers numbers, real occlusion, size_t at)
+/* What shading multiplies ambient light with: `occlusion` of the pixel's own, times what stands around. at:
+ * the block's first pixel in the whole picture's planes. */
+TL_INLINE real ambient_share(
+    const tl_frame *frame, tl_needs needs, tl_numbers numbers, real occlusion, size_t at)
 {
     if (!needs.surroundings)
         return occlusion;
-    return occlusion * FLOATS_AT(around_behind(frame, numbers).planes + at, frame->pitch);
+    return occlusion * FLOATS_OF_BLOCK(around_behind(frame, numbers).planes + at, frame->pitch);
 }
 
 /* A pixel as its surroundings are looked for. */
@@ -196,12 +206,12 @@ TL_INLINE real rise_at(const tl_frame *frame,
                        integer x,
                        integer y)
 {
-    const integer width = (integer)(frame->tiles_x * frame->tile_size);
-    const integer height = (integer)(frame->tiles_y * frame->tile_size);
+    const integer width = (integer)around_width(frame);
+    const integer height = (integer)around_height(frame);
     const mask inside = (x >= 0) & (x < width) & (y >= 0) & (y < height);
     const integer column = inside ? x : p.column, row = inside ? y : p.row;
-    const real depth = GATHER(around_plane(frame, a, TL_AROUND_DEPTH),
-                              row * (integer)frame->pitch + column);
+    const real depth =
+        GATHER(around_plane(frame, a, TL_AROUND_DEPTH), row * (integer)frame->pitch + column);
     const vec3 at = view_position(frame->rays, needs, TO_REAL(column), TO_REAL(row), depth);
     const vec3 from = {at.x - p.position.x, at.y - p.position.y, at.z - p.position.z};
     return rise_of(from, p, along, p.slack + place_slack(a.of, depth));
@@ -228,6 +238,72 @@ TL_INLINE integer nearest_pixel(real offset)
     return TO_INTEGER(NARROW(offset + R(0.5) + (real)TL_SAMPLE_OFFSET)) - TL_SAMPLE_OFFSET;
 }
 
+/* The horizon on one side of a slice so far: the highest rise, the distance at which it is, px, and those
+ * of the looks before and behind it. */
+typedef struct horizon {
+    real rise, near, at, far;
+} horizon;
+
+/* Where a slice is walked along: away from the pixel, by `right` and `down` px a px. */
+typedef struct way_out {
+    vec3 along;
+    real right, down;
+} way_out;
+
+TL_INLINE real rise_along(const tl_frame *frame,
+                          tl_needs needs,
+                          around_view a,
+                          sheltered p,
+                          way_out path,
+                          real distance)
+{
+    const integer x = nearest_pixel(NARROW(path.right * distance));
+    const integer y = nearest_pixel(NARROW(path.down * distance));
+    return rise_at(frame, needs, a, p, path.along, p.column + x, p.row + y);
+}
+
+/* With a look farther than all before it. */
+TL_INLINE horizon raised(horizon so_far, real rise, real near, real at, real far)
+{
+    const mask higher = rise > so_far.rise;
+    const horizon h = {pick(higher, rise, so_far.rise), pick(higher, near, so_far.near),
+                       pick(higher, at, so_far.at), pick(higher, far, so_far.far)};
+    return h;
+}
+
+/* With a look halfway to the one before the highest, and one to that behind: an edge is between two of
+ * them. */
+TL_INLINE horizon halved(
+    const tl_frame *frame, tl_needs needs, around_view a, sheltered p, way_out path, horizon h)
+{
+    const real nearer = NARROW(R(0.5) * (h.near + h.at));
+    const real rise = rise_along(frame, needs, a, p, path, nearer);
+    const mask is_nearer = rise > h.rise;
+    h.rise = pick(is_nearer, rise, h.rise);
+    h.near = pick(is_nearer, h.near, nearer);
+    h.far = pick(is_nearer, h.at, h.far);
+    h.at = pick(is_nearer, nearer, h.at);
+    const real farther = NARROW(R(0.5) * (h.at + h.far));
+    const real other = rise_along(frame, needs, a, p, path, farther);
+    const mask is_farther = other > h.rise;
+    h.rise = pick(is_farther, other, h.rise);
+    h.near = pick(is_farther, h.at, h.near);
+    h.far = pick(is_farther, h.far, farther);
+    h.at = pick(is_farther, farther, h.at);
+    return h;
+}
+
+/* How far away look `index` is, px: no less than a pixel more than the one before, so that each sees
+ * another. */
+TL_INLINE real look_distance(tl_numbers steps, around_view a, sheltered p, tl_u32 index)
+{
+    const real least = (real)(scalar)(index + 1);
+    const real wanted = index < a.of.steps
+                            ? NARROW(GATHER(steps + index * TL_PATTERN_CELLS, p.cell) * p.reach)
+                            : p.reach;
+    return pick(wanted > least, wanted, least);
+}
+
 /* What is lost and all there is, of the slices so far. */
 typedef struct shelter {
     real lost, all;
@@ -245,22 +321,24 @@ TL_INLINE shelter add_slice(shelter sum,
     const real right = GATHER(directions, p.cell);
     const real down = GATHER(directions + TL_PATTERN_CELLS, p.cell);
     const slice_side of = slice_of(frame, p, right, down);
-    const vec3 back = {-of.along.x, -of.along.y, -of.along.z};
-    real ahead = R(0.0), behind = R(0.0);
+    const way_out one = {of.along, right, down};
+    const way_out other = {{-of.along.x, -of.along.y, -of.along.z}, -right, -down};
+    real near = R(1.0), at = look_distance(steps, a, p, 0);
+    horizon ahead = {R(0.0), near, near, near}, behind = ahead;
     for (tl_u32 i = 0; i < a.of.steps; i++) {
-        const real wanted = NARROW(GATHER(steps + i * TL_PATTERN_CELLS, p.cell) * p.reach);
-        const real least = (real)(scalar)(i + 1);
-        const real distance = pick(wanted > least, wanted, least);
-        const integer x = nearest_pixel(NARROW(right * distance));
-        const integer y = nearest_pixel(NARROW(down * distance));
-        const real one = rise_at(frame, needs, a, p, of.along, p.column + x, p.row + y);
-        const real other = rise_at(frame, needs, a, p, back, p.column - x, p.row - y);
-        ahead = pick(one > ahead, one, ahead);
-        behind = pick(other > behind, other, behind);
+        const real far = look_distance(steps, a, p, i + 1);
+        ahead = raised(ahead, rise_along(frame, needs, a, p, one, at), near, at, far);
+        behind = raised(behind, rise_along(frame, needs, a, p, other, at), near, at, far);
+        near = at;
+        at = far;
+    }
+    for (tl_u32 i = 0; i < a.of.halvings; i++) {
+        ahead = halved(frame, needs, a, p, one, ahead);
+        behind = halved(frame, needs, a, p, other, behind);
     }
     const real angle = longitude_of(of.across, p.facing) * R(6.2831853071795865);
-    sum.lost = sum.lost + R(0.5) * (lost_on_side(ahead, p.facing, of.across) +
-                                    lost_on_side(behind, p.facing, -of.across));
+    sum.lost = sum.lost + R(0.5) * (lost_on_side(ahead.rise, p.facing, of.across) +
+                                    lost_on_side(behind.rise, p.facing, -of.across));
     sum.all = sum.all + FMA(of.across, angle, p.facing);
     return sum;
 }
@@ -283,56 +361,80 @@ TL_INLINE real rough_share(const tl_frame *frame,
     return pick((depth < (real)INFINITY) & (sum.all > R(0.0)), kept, R(1.0));
 }
 
-/* Smoothing: the mean over TL_PATTERN x TL_PATTERN pixels and the half of those around, in which each cell of
- * the pattern has the same weight, so that what the pattern does to a surface vanishes. A pixel counts by how
- * far it is over or under the plane of this one, and this one over or under its, as a share of how far away it
- * is: 1 - (3/2) of the square of the larger, which is 0 from 55 degrees on. */
-TL_INLINE real tap_weight(vec3 from, vec3 normal, vec3 other, real slack)
+/* Smoothing: the mean over TL_PATTERN x TL_PATTERN pixels and the half of those around, in which each cell
+ * of the pattern has the same weight, so that what the pattern does to a surface vanishes. A pixel counts
+ * by how far it is over or under the plane of this one, and this one over or under its: 1 - (h c / l)^2 of
+ * the larger h c, h that height, c the cosine of its plane to the eye, l how far apart pixels are across
+ * the view. h c is what is seen of the step between the planes: one as deep as pixels are apart has no
+ * weight, whatever its slope. */
+TL_INLINE real seen_step(vec3 from, vec3 normal, vec3 to_eye, real slack)
 {
-    const real own = ABSOLUTE(dot3(normal, from)), its = ABSOLUTE(dot3(other, from));
-    const real above = pick(own > its, own, its) - slack;
-    const real distance2 = dot3(from, from);
-    const real bent = above * above / distance2;
-    const real weight = FMA(bent, R(-1.5), R(1.0));
-    return pick(above > R(0.0), pick(weight > R(0.0), weight, R(0.0)), R(1.0));
+    const real height = ABSOLUTE(dot3(normal, from)) - slack;
+    return pick(height > R(0.0), height, R(0.0)) * ABSOLUTE(dot3(normal, to_eye));
 }
 
-/* at: the block's first pixel in the planes; (column, row): its pixels'. */
 TL_INLINE real
-smooth_share(const tl_frame *frame, tl_needs needs, around_view a, size_t at, real column, real row)
+tap_weight(vec3 from, vec3 normal, vec3 other, vec3 to_eye, real slack, real per_apart2)
+{
+    const real own = seen_step(from, normal, to_eye, slack);
+    const real its = seen_step(from, other, to_eye, slack);
+    const real step = pick(own > its, own, its);
+    const real weight = FMA(-step * step, per_apart2, R(1.0));
+    return pick(weight > R(0.0), weight, R(0.0));
+}
+
+/* 1/m^2, of the square of how far apart pixels are that are (x, y) apart in the picture, 1 m away. */
+TL_INLINE scalar per_apart2_at_1m(tl_rays rays, int x, int y)
+{
+    const scalar right = (scalar)x * rays.dx, down = (scalar)y * rays.dy;
+    return R(1.0) / (right * right + down * down);
+}
+
+/* What of the mean a pixel (x, y) away has. */
+TL_INLINE scalar tent_at(int x, int y)
+{
+    return (x == -2 || x == 2 ? R(0.5) : R(1.0)) * (y == -2 || y == 2 ? R(0.5) : R(1.0));
+}
+
+/* at: the run's first pixel in the planes; (column, row): its pixels'. */
+TL_INLINE real smooth_share(
+    const tl_frame *frame, tl_needs needs, around_view a, size_t at, real column, real row)
 {
     const tl_u32 pitch = frame->pitch;
-    const real width = (real)(scalar)(frame->tiles_x * frame->tile_size);
-    const real height = (real)(scalar)(frame->tiles_y * frame->tile_size);
-    const tl_numbers depths = around_plane(frame, a, TL_AROUND_DEPTH) + at;
-    const tl_numbers rough = around_plane(frame, a, TL_AROUND_ROUGH) + at;
-    const real depth = FLOATS_AT(depths, pitch);
+    const real width = (real)(scalar)around_width(frame);
+    const real height = (real)(scalar)around_height(frame);
+    const tl_numbers depths = around_plane(frame, a, TL_AROUND_DEPTH);
+    const tl_numbers rough = around_plane(frame, a, TL_AROUND_ROUGH);
+    const real depth = LOAD(depths, at);
     const vec3 normal = around_normal(frame, a, at);
     const vec3 position = view_position(frame->rays, needs, column, row, depth);
+    const vec3 to_eye = direction_to_eye(needs, position);
     const real slack = place_slack(a.of, depth);
-    real sum = R(0.0), weights = R(0.0);
+    const real scale = needs.orthographic ? (real)R(1.0) : R(1.0) / (depth * depth);
+    real sum = LOAD(rough, at), weights = R(1.0);
     for (int y = -TL_PATTERN / 2; y <= TL_PATTERN / 2; y++) {
         for (int x = -TL_PATTERN / 2; x <= TL_PATTERN / 2; x++) {
-            const long to = (long)y * (long)pitch + x;
+            if (x == 0 && y == 0)
+                continue;
+            const long to = (long)at + (long)y * (long)pitch + x;
             const real its_column = column + (real)(scalar)x, its_row = row + (real)(scalar)y;
             const mask inside = (its_column >= R(0.0)) & (its_column < width) &
                                 (its_row >= R(0.0)) & (its_row < height);
-            const real its_depth = FLOATS_AT(depths + to, pitch);
-            const vec3 its_normal = around_normal(frame, a, (size_t)((long)at + to));
+            const real its_depth = LOAD(depths, to);
+            const vec3 its_normal = around_normal(frame, a, (size_t)to);
             const vec3 its = view_position(frame->rays, needs, its_column, its_row, its_depth);
             const vec3 from = {its.x - position.x, its.y - position.y, its.z - position.z};
-            const real alike = tap_weight(from, normal, its_normal,
-                                         slack + place_slack(a.of, its_depth));
-            const scalar tent = (x == -2 || x == 2 ? R(0.5) : R(1.0)) *
-                                (y == -2 || y == 2 ? R(0.5) : R(1.0));
-            const real weight = x == 0 && y == 0 ? (real)R(1.0) : alike * tent;
+            const real alike = tap_weight(from, normal, its_normal, to_eye,
+                                          slack + place_slack(a.of, its_depth),
+                                          scale * per_apart2_at_1m(frame->rays, x, y));
+            const real weight = alike * tent_at(x, y);
             const mask counts = inside & (its_depth < (real)INFINITY);
-            const real tap = FLOATS_AT(rough + to, pitch);
+            const real tap = LOAD(rough, to);
             sum = pick(counts, FMA(weight, tap, sum), sum);
             weights = pick(counts, weights + weight, weights);
         }
     }
-    return pick(weights > R(0.0), sum / weights, R(1.0));
+    return sum / weights;
 }
 
 #endif

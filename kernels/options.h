@@ -64,7 +64,8 @@
         !defined(TL_AMBIENT) || !defined(TL_IDLE) || !defined(TL_MODELS_USED) ||          \
         !defined(TL_CHOICES) || !defined(TL_FIXED_EXPONENT) || !defined(TL_TIMED) ||      \
         !defined(TL_SHAPES) || !defined(TL_SKY) || !defined(TL_SURROUNDINGS) ||           \
-        !defined(TL_POWER) || !defined(TL_FORM) || !defined(TL_ROOT) || !defined(TL_ARITHMETIC)
+        !defined(TL_POWER) || !defined(TL_FORM) || !defined(TL_ROOT) ||                   \
+        !defined(TL_ARITHMETIC)
 #        error "build the kernels through tl_program_build(), which passes every option"
 #    endif
 #    if TL_BY_PIXEL && TL_WIDTH != 1

@@ -242,8 +242,7 @@ TL_INLINE vec3 lit_block(const tl_frame *frame,
     const tl_words before =
         load_some_words(&layout, words_there, planes, plane_size, at, frame->pitch);
     const pixel to_finish = pixel_of(needs, &layout, &before, -s.position.z);
-    const finish f =
-        finish_of(needs, s, substance_at(frame, needs, to_finish, rows));
+    const finish f = finish_of(needs, s, substance_at(frame, needs, to_finish, rows));
     const received sum = lit_by(frame, needs, s, f, by);
     const tl_words words =
         load_some_words(&layout, words_there, planes, plane_size, at, frame->pitch);
@@ -274,8 +273,7 @@ TL_INLINE void shade_tile(const tl_frame *frame,
     for (uint row = row0; row < row0 + frame->tile_size; row += BLOCK_ROWS) {
         const block_row of = {(size_t)(frame->buffer_row + row) * frame->pitch + column0,
                               column0, row};
-        const int shows =
-            load_surfaces(frame, needs, words_there, planes, rows, of, surfaces);
+        const int shows = load_surfaces(frame, needs, words_there, planes, rows, of, surfaces);
         ask_for_next_tile(&layout, shows ? words_there : depth_words(&layout), planes, radiance,
                           of.first, frame);
         for (uint b = 0; b < frame->tile_size / BLOCK_COLUMNS; b++) {
@@ -283,9 +281,10 @@ TL_INLINE void shade_tile(const tl_frame *frame,
             vec3 lit = {frame->sky[0], frame->sky[1], frame->sky[2]};
             if (shows_surface(surfaces[b]))
                 lit = lit_block(frame, needs, words_there, planes, rows, by, surfaces[b], at);
-            const vec3 out = seen_radiance(frame, needs, by.lights, -surfaces[b].position.z, lit,
-                                           (scalar)(column0 + b * BLOCK_COLUMNS) + LANE_COLUMN,
-                                           (scalar)(frame->first_row + row) + LANE_ROW);
+            const vec3 out =
+                seen_radiance(frame, needs, by.lights, -surfaces[b].position.z, lit,
+                              (scalar)(column0 + b * BLOCK_COLUMNS) + LANE_COLUMN,
+                              (scalar)(frame->first_row + row) + LANE_ROW);
             store_block(out.x, radiance + at, frame->pitch);
             store_block(out.y, radiance + plane_size + at, frame->pitch);
             store_block(out.z, radiance + 2 * plane_size + at, frame->pitch);

@@ -188,8 +188,7 @@ TL_INLINE surface unpacked_surface(const tl_frame *frame,
 {
     const vec3 position = position_of(frame, needs, layout, words, column, row);
     const pixel in = pixel_of(needs, layout, words, -position.z);
-    return surface_at(needs, position,
-                      normal_of(frame, layout, words),
+    return surface_at(needs, position, normal_of(frame, layout, words),
                       substance_at(frame, needs, in, rows).shininess, in.specular.x);
 }
 

@@ -33,7 +33,7 @@ typedef struct scene {
     const char *name;
     uint32_t present, neutral;
     lamp lamps[2]; /* intensity 0 and no diffuse: no lamp */
-    float ambient, sky;
+    float ambient, radius, sky;
     int has_shininess;
     tl_sky sky_type;
     enum tl_shading_model model;
@@ -49,7 +49,7 @@ typedef struct scene {
     uint32_t effects; /* expected: all of them */
     struct {
         tl_u32 falloffs, spots, specular, ambient, orthographic, one_color, idle,
-            fixed_exponent, shapes, sky;
+            fixed_exponent, shapes, sky, surroundings;
     } needs;                                         /* expected */
     uint32_t light_count, idle[TL_IDLE_LIGHT_COUNT]; /* expected */
 } scene;
@@ -159,6 +159,9 @@ static const scene minimal[TL_EFFECT_COUNT] = {
                            .effects = ON(AMBIENT), .needs = {.ambient = 1}},
     [TL_EFFECT_OCCLUSION] = {"occlusion and ambient light", OCCLUSION, .ambient = 0.1f,
                              .effects = ON(AMBIENT) | ON(OCCLUSION), .needs = {.ambient = 1}},
+    [TL_EFFECT_SURROUNDINGS] = {"a radius and ambient light", TL_GROUP_BASE, .ambient = 0.1f,
+                                .radius = 0.5f, .effects = ON(AMBIENT) | ON(SURROUNDINGS),
+                                .needs = {.ambient = 1, .surroundings = 1}},
     [TL_EFFECT_EMISSION] = {"emission", EMISSION, .effects = ON(EMISSION)},
     [TL_EFFECT_SKY] = {"a sky", TL_GROUP_BASE, .sky = 0.5f, .effects = ON(SKY)},
     [TL_EFFECT_PARALLEL] = {"parallel rays", TL_GROUP_BASE, .projection = TL_ORTHOGRAPHIC,
@@ -168,6 +171,9 @@ static const scene minimal[TL_EFFECT_COUNT] = {
 /* What might be taken for a cause, and is none. */
 static const scene others[] = {
     {"nothing at all", TL_GROUP_BASE, .effects = 0},
+    {"a radius without ambient light", TL_GROUP_BASE, .radius = 0.5f, .effects = 0},
+    {"a radius where nothing reflects", TL_GROUP_BASE, .is_dark = 1, .ambient = 0.1f,
+     .radius = 0.5f, .effects = 0},
     {"a model without highlights", PHONG, .model = TL_MODEL_LAMBERT,
      .lamps = {{ANY_LIGHT, .is_directional = 1, .specular = 1.0f}},
      .effects = ON(GLOBAL) | ON(DIRECTIONAL) | ON(MODEL),
@@ -356,6 +362,7 @@ static tl_prepared prepared_of(const scene *s)
     g->neutral = s->neutral;
     g->is_dark = s->is_dark;
     lights.ambient[1] = s->ambient;
+    lights.occlusion_radius = s->radius;
     lights.sky_type = s->sky_type;
     lights.sky[2] = s->sky_type == TL_SKY_IMAGE ? 0.0f : s->sky;
     lights.sky_intensity = s->sky_type == TL_SKY_IMAGE ? s->sky : 0.0f;
@@ -407,14 +414,17 @@ static void expect(const scene *s)
                             .fixed_exponent = s->needs.fixed_exponent,
                             .idle = s->needs.idle,
                             .shapes = s->needs.shapes,
-                            .sky = s->needs.sky};
+                            .sky = s->needs.sky,
+                            .surroundings = s->needs.surroundings};
     expect_effects(s, p.explanation.effects);
     if (memcmp(&p.needs, &needs, sizeof needs) != 0)
         fail_msg(
             "%s: kernels are built for something else: falloffs %x, spots %u, specular %u, "
-            "ambient %u, orthographic %u, one_color %u, idle %x, shapes %x, sky %u",
+            "ambient %u, orthographic %u, one_color %u, idle %x, shapes %x, sky %u, "
+            "surroundings %u",
             s->name, p.needs.falloffs, p.needs.spots, p.needs.specular, p.needs.ambient,
-            p.needs.orthographic, p.needs.one_color, p.needs.idle, p.needs.shapes, p.needs.sky);
+            p.needs.orthographic, p.needs.one_color, p.needs.idle, p.needs.shapes, p.needs.sky,
+            p.needs.surroundings);
     if (p.frame.light_count != s->light_count)
         fail_msg("%s: %u lights", s->name, p.frame.light_count);
     for (int i = 0; i < TL_IDLE_LIGHT_COUNT; i++)

@@ -61,6 +61,22 @@ static const struct {
      TL_ERR_FORMAT,
      {"sky", "\"colour\"", "did you mean \"color\""}},
 
+    /* Ambient occlusion. */
+    {FILE_WITH("\"ambientOcclusion\": 0.5"), TL_ERR_FORMAT, {"ambientOcclusion", "\"radius\""}},
+    {FILE_WITH("\"ambientOcclusion\": {}"), TL_ERR_FORMAT, {"ambientOcclusion", "\"radius\""}},
+    {FILE_WITH("\"ambientOcclusion\": { \"radius\": -1 }"),
+     TL_ERR_FORMAT,
+     {"ambientOcclusion: radius", "-1", "from 0"}},
+    {FILE_WITH("\"ambientOcclusion\": { \"radius\": 1e30 }"),
+     TL_ERR_FORMAT,
+     {"ambientOcclusion: radius", "1e+30"}},
+    {FILE_WITH("\"ambientOcclusion\": { \"radius\": \"wide\" }"),
+     TL_ERR_FORMAT,
+     {"ambientOcclusion", "\"radius\""}},
+    {FILE_WITH("\"ambientOcclusion\": { \"radius\": 1, \"radios\": 1 }"),
+     TL_ERR_FORMAT,
+     {"ambientOcclusion", "\"radios\"", "did you mean \"radius\""}},
+
     /* Of a later version. */
     {POINT("\"group\": \"key\""), TL_ERR_UNSUPPORTED, {"group"}},
 

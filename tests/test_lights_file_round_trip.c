@@ -90,6 +90,7 @@ static void assert_same_lights(const tl_light_set *a, const tl_light_set *b)
 {
     assert_int_equal(a->count, b->count);
     assert_memory_equal(a->ambient, b->ambient, sizeof a->ambient);
+    assert_true(same_bits(a->occlusion_radius, b->occlusion_radius));
     assert_int_equal(a->sky_type, b->sky_type);
     assert_memory_equal(a->sky, b->sky, sizeof a->sky);
     assert_memory_equal(a->zenith, b->zenith, sizeof a->zenith);
@@ -121,7 +122,9 @@ static void bit_for_bit(void **state)
 {
     (void)state;
     tl_error err;
-    tl_light_set set = {.ambient = {0.1f, 1e-40f, 3.0f}, .sky = {0.7f, 0.0f, 1e29f}},
+    tl_light_set set = {.ambient = {0.1f, 1e-40f, 3.0f},
+                        .occlusion_radius = 0.3f,
+                        .sky = {0.7f, 0.0f, 1e29f}},
                  back = {0};
     set.model = TL_MODEL_BLINN_PHONG_NORMALIZED;
     set.has_shininess = 1;
@@ -259,7 +262,8 @@ static void cut_names(void **state)
 static void meaning(void **state)
 {
     static const char text[] =
-        "{ \"tilelight\": 1, \"ambient\": [0.02, 0.5, 1],\n"
+        "{ \"tilelight\": 1, \"ambient\": [0.02, 0.5, 1], \"ambientOcclusion\": { \"radius\": "
+        "0.75 },\n"
         "  \"sky\": { \"type\": \"constant\", \"color\": [0.1, 0.2, 4] },\n"
         "  \"materials\": { \"model\": \"blinn-phong-normalized\" },\n"
         "  \"lights\": [\n"
@@ -275,8 +279,9 @@ static void meaning(void **state)
         "      \"falloff\": \"inverse-square\" } ] }";
     (void)state;
     tl_error err;
-    tl_light_set set = {0},
-                 wanted = {.ambient = {0.02f, 0.5f, 1.0f}, .sky = {0.1f, 0.2f, 4.0f}};
+    tl_light_set set = {0}, wanted = {.ambient = {0.02f, 0.5f, 1.0f},
+                                      .occlusion_radius = 0.75f,
+                                      .sky = {0.1f, 0.2f, 4.0f}};
     wanted.model = TL_MODEL_BLINN_PHONG_NORMALIZED;
     tl_light sun = tl_light_default(), lamp = tl_light_default(), spot = tl_light_default();
     sun.type = TL_LIGHT_DIRECTIONAL;

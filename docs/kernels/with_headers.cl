@@ -4,6 +4,7 @@
 //
 //     tilelight check --kernel with_headers.cl --entry shade_in_batches --items pixel
 
+#include "occlusion.h"
 #include "pixel.h"
 
 #if TL_WIDTH != 1
@@ -61,7 +62,8 @@ __kernel void shade_in_batches(const tl_frame frame,
     const size_t at = (size_t)(frame.buffer_row + row) * frame.pitch + column;
     const tl_needs needs = needs_of_build();
 
-    const pixel in = load(planes + at, plane_size);
+    pixel in = load(planes + at, plane_size);
+    in.occlusion = ambient_share(&frame, needs, (tl_numbers)lights, in.occlusion, at);
     const substance material = substance_at(&frame, needs, in, rows_behind(&frame, lights));
     const surface s = surface_of(&frame, needs, in, material.shininess, (float)column,
                                  (float)(frame.first_row + row));

@@ -188,6 +188,8 @@ static tl_status check_frame(tl_device *device,
     TRY(tl_image_create(camera->width, camera->height, &f->ratios, err));
     TRY(tl_check_create(frame->gbuffer, &frame->lights, frame->light_cutoff, cosine, &f->check,
                         err));
+    if (options->occlusion_samples)
+        TRY(tl_check_occlusion(f->check, options->occlusion_samples, err));
     TRY(tl_check_allow(f->check, &options->approximations, err));
     forget_image(f->image);
     TRY(tl_lighting_create(device, &with_cutoff, &lighting, err));

@@ -38,7 +38,7 @@ static const value_words precisions = {"precision", "precisions", precision_word
 
 static const uint32_t tile_sizes[] = {8, 16, 32, 64};
 static const uint32_t widths[] = {1, 4, 8, 16};
-#define SAMPLES(samples, slices, steps) samples,
+#define SAMPLES(samples, slices, steps, halvings) samples,
 static const uint32_t occlusion_samples[] = {TL_OCCLUSION_SAMPLES(SAMPLES)};
 
 lighting_choice lighting_choice_default(void)
@@ -87,9 +87,8 @@ static error_t parse(int key, char *text, struct argp_state *state)
         choice->occlusion_radius = value_number(state, "--ambient-occlusion", text, 0.0, 1e18);
         return 0;
     case OPTION_SAMPLES_OF_OCCLUSION:
-        options->occlusion_samples =
-            value_among(state, "--occlusion-samples", text, occlusion_samples,
-                        COUNT_OF(occlusion_samples));
+        options->occlusion_samples = value_among(
+            state, "--occlusion-samples", text, occlusion_samples, COUNT_OF(occlusion_samples));
         return 0;
     case OPTION_MEMORY:
         options->memory_limit =
@@ -138,7 +137,7 @@ static const struct argp_option options_table[] = {
      "the lights file says; 0: nowhere",
      0},
     {"occlusion-samples", OPTION_SAMPLES_OF_OCCLUSION, "COUNT", 0,
-     "Looks around each pixel for that: 4, 8, 16, 32, 64, 128 or 256 (default 16); time grows "
+     "Looks around each pixel for that: 8, 16, 32, 64, 128 or 256 (default 64); time grows "
      "with it",
      0},
     {"memory", OPTION_MEMORY, "MB", 0,

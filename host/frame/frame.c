@@ -318,8 +318,9 @@ static void tell_of_occlusion(const tl_light_set *lights,
                               const tl_notices *notices)
 {
     if (lights->occlusion_radius > 0.0f && !needs->surroundings)
-        tl_notice(notices, "ambient occlusion is for nothing: there is no ambient light to keep "
-                           "from surfaces; \"ambient\" of the lights file brings some");
+        tl_notice(notices,
+                  "ambient occlusion is for nothing: there is no ambient light to keep "
+                  "from surfaces; \"ambient\" of the lights file brings some");
 }
 
 tl_status tl_prepare(const tl_gbuffer *gbuffer,

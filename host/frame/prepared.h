@@ -51,10 +51,9 @@ typedef struct tl_prepare_options {
 
 /* Fills *prepared, growing its lights where they do not fit; all zero is a valid start. Lights that add
  * exactly nothing are not among them (explanation.idle_lights), unless all effects are asked for. Names
- * spots that light nothing, materials and ambient occlusion that are for nothing, and lights that cast shadows
- * of which there is no map, in a notice. Fails as tl_brdf_table_make
- * does, with TL_ERR_ARGUMENT (more than 2^31 lights, or sections that rows do not count) or
- * TL_ERR_MEMORY. */
+ * spots that light nothing, materials and ambient occlusion that are for nothing, and lights that cast
+ * shadows of which there is no map, in a notice. Fails as tl_brdf_table_make does, with TL_ERR_ARGUMENT
+ * (more than 2^31 lights, or sections that rows do not count) or TL_ERR_MEMORY. */
 tl_status tl_prepare(const tl_gbuffer *gbuffer,
                      const tl_light_set *lights,
                      const tl_prepare_options *options,

@@ -122,7 +122,8 @@ tl_status tl_shadow_section_add(const tl_gbuffer *gbuffer,
     else
         set_perspective(&gbuffer->camera, map, &shadow);
     set_slack(gbuffer,
-              (double)map->slack + TL_PLACE_MISREAD * distance_to(&gbuffer->camera, &map->views[0]),
+              (double)map->slack +
+                  TL_PLACE_MISREAD * distance_to(&gbuffer->camera, &map->views[0]),
               &shadow);
     TRY(tl_section_add(prepared, tl_shadow_map_size(map), &shadow.texels_at, &memory, err));
     memcpy(memory, map->texels, tl_shadow_map_size(map));

@@ -11,7 +11,7 @@
 #include <string.h>
 
 static const tl_occlusion_slices rows[] = {
-#define ROW(samples, slices, steps) {samples, slices, steps},
+#define ROW(samples, slices, steps, halvings) {samples, slices, steps, halvings},
     TL_OCCLUSION_SAMPLES(ROW)
 #undef ROW
 };
@@ -25,9 +25,9 @@ const tl_occlusion_slices *tl_occlusion_slices_of(uint32_t samples)
     return NULL;
 }
 
-/* Which of TL_PATTERN_CELLS directions a cell begins with, and which quarter of a step: each direction once, and
- * each quarter once in every row, column and square of 2 x 2 (Jimenez et al. 2016, "spatial directions" and
- * "offsets"). */
+/* Which of TL_PATTERN_CELLS directions a cell begins with, and which quarter of a step: each direction
+ * once, and each quarter once in every row, column and square of 2 x 2 (Jimenez et al. 2016, "spatial
+ * directions" and "offsets"). */
 static unsigned direction_of_cell(unsigned x, unsigned y)
 {
     return (x + y) % TL_PATTERN * TL_PATTERN + x;
@@ -76,13 +76,14 @@ static tl_view_surroundings view_of(const tl_gbuffer *gbuffer,
                                     const tl_rays *rays,
                                     double down_per_right)
 {
-    tl_view_surroundings view = {.radius = radius,
-                                 .reach = (float)((double)radius / (double)rays->dx),
-                                 .most_reach = (float)(TL_MOST_OCCLUSION_REACH /
-                                                       fmax(1.0, down_per_right)),
-                                 .slices = of->slices,
-                                 .steps = of->steps,
-                                 .rows = gbuffer->rows};
+    tl_view_surroundings view = {
+        .radius = radius,
+        .reach = (float)((double)radius / (double)rays->dx),
+        .most_reach = (float)(TL_MOST_OCCLUSION_REACH / fmax(1.0, down_per_right)),
+        .slices = of->slices,
+        .steps = of->steps,
+        .halvings = of->halvings,
+        .rows = gbuffer->rows};
     float slack[3];
     tl_place_slack(gbuffer, 0.0, slack);
     view.slack = slack[0];
@@ -100,8 +101,8 @@ static tl_status reserve_planes(const tl_gbuffer *gbuffer,
     const size_t plane = (size_t)gbuffer->pitch * gbuffer->rows;
     const size_t before = tl_prepared_lights_size(prepared);
     *at = (tl_u32)(before / TL_SECTION_ROW);
-    prepared->planes_size = (TL_AROUND_COUNT * plane + 2 * TL_AROUND_MARGIN(gbuffer->pitch)) *
-                            sizeof(float);
+    prepared->planes_size =
+        (TL_AROUND_COUNT * plane + 2 * TL_AROUND_MARGIN(gbuffer->pitch)) * sizeof(float);
     return tl_sections_reserve(prepared, before + prepared->planes_size, err);
 }
 
@@ -118,7 +119,7 @@ tl_status tl_surroundings_add(const tl_gbuffer *gbuffer,
     void *memory = NULL;
     if (!of)
         TRY(tl_fail(err, TL_ERR_ARGUMENT,
-                    "%u samples of ambient occlusion: it must be a power of 2 from 4 to 256",
+                    "%u samples of ambient occlusion: it must be a power of 2 from 8 to 256",
                     samples));
     tl_view_surroundings view =
         view_of(gbuffer, lights->occlusion_radius, of, &rays, down_per_right);

@@ -96,11 +96,11 @@ static tl_status upload_words(tl_pass_context *c, const tl_gbuffer *gbuffer, tl_
         if (bytes == 0)
             continue;
         const unsigned char *from = tl_gbuffer_words(gbuffer, i);
-        TRY(tl_cl(clEnqueueWriteBuffer(
-                      c->device->queue, c->buffers->of[TL_BUFFER_PLANES].memory, CL_TRUE,
-                      before * pixels, bytes * pixels,
-                      from + bytes * gbuffer->pitch * first_row, 0, NULL, NULL),
-                  "clEnqueueWriteBuffer", err));
+        TRY(tl_cl(
+            clEnqueueWriteBuffer(c->device->queue, c->buffers->of[TL_BUFFER_PLANES].memory,
+                                 CL_TRUE, before * pixels, bytes * pixels,
+                                 from + bytes * gbuffer->pitch * first_row, 0, NULL, NULL),
+            "clEnqueueWriteBuffer", err));
         before += bytes;
     }
 done:
@@ -297,8 +297,8 @@ static uint64_t entries_of(const tl_pass_context *c,
                                                : c->frame.light_count - c->frame.global_count;
 }
 
-/* The shares of ambient light of the whole picture: by the first band that is lit, and by the next once buffers
- * were given up. */
+/* The shares of ambient light of the whole picture: by the first band that is lit, and by the next once
+ * buffers were given up. */
 static tl_status occlude(tl_pass_context *c,
                          const tl_gbuffer *gbuffer,
                          tl_timings *timings,

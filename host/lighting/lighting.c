@@ -98,7 +98,7 @@ static tl_status check_options(const tl_device *device,
                        options->shadow_filter, TL_MOST_SHADOW_FILTER);
     if (!tl_occlusion_slices_of(options->occlusion_samples))
         return tl_fail(err, TL_ERR_ARGUMENT,
-                       "%u samples of ambient occlusion: it must be a power of 2 from 4 to 256",
+                       "%u samples of ambient occlusion: it must be a power of 2 from 8 to 256",
                        options->occlusion_samples);
     if (!(options->light_cutoff >= 0.0f && options->light_cutoff < INFINITY))
         return tl_fail(err, TL_ERR_ARGUMENT, "a light cutoff of %g lx: it must be 0 or above",
@@ -209,7 +209,9 @@ static tl_arithmetic arithmetic_of(const tl_lighting_options *options)
                : TL_TWIN_CHOSEN;
 }
 
-static int is_needed(tl_program_part part, const tl_prepared *prepared, const tl_band_options *bands)
+static int is_needed(tl_program_part part,
+                     const tl_prepared *prepared,
+                     const tl_band_options *bands)
 {
     return part == TL_PART_CULL      ? tl_bands_cull(prepared, bands)
            : part == TL_PART_OCCLUDE ? (int)prepared->needs.surroundings

@@ -1,6 +1,7 @@
 #include "passes.h"
 
 #include "launch.h"
+#include "occlusion.h"
 #include "try.h"
 #include "user_kernel.h"
 
@@ -47,10 +48,9 @@ tl_status tl_pass_occlude(tl_pass_context *c, double *ms, tl_error *err)
     static const tl_buffer_name from_planes[] = {TL_BUFFER_PLANES, TL_BUFFER_LIGHTS},
                                 numbers[] = {TL_BUFFER_LIGHTS};
     const tl_program *program = c->programs[TL_PART_OCCLUDE];
-    const size_t tiles = tl_tile_count(&c->frame),
-                 pixels = (size_t)c->frame.tile_size * c->frame.tile_size;
-    const tl_work size =
-        c->by_pixel ? tl_groups(tiles * pixels / TL_GROUP) : tl_alone(tiles);
+    const size_t pixels = (size_t)around_width(&c->frame) * around_height(&c->frame);
+    const tl_work size = c->by_pixel ? tl_groups(pixels / TL_GROUP)
+                                     : tl_alone(pixels / (TL_PATCH_COLUMNS * TL_PATCH_ROWS));
     tl_status status = TL_OK;
     TRY(tl_launch(c, TL_PART_OCCLUDE, program->gather_surroundings, "gather_surroundings",
                   from_planes, 2, size, ms, err));

@@ -16,8 +16,8 @@ typedef struct tl_pass_context {
     const tl_prepared *prepared;
     tl_frame frame; /* of the band */
     int precision_is_double;
-    int by_pixel;      /* 1: the path for GPUs, and a program for it */
-    int ignores_lists; /* 1: shading takes every list for empty */
+    int by_pixel;         /* 1: the path for GPUs, and a program for it */
+    int ignores_lists;    /* 1: shading takes every list for empty */
     int has_surroundings; /* 1: their planes in TL_BUFFER_LIGHTS are those of this picture */
     /* of the first launch that has finished, on tl_seconds' clock; or 0 */
     double first_start_s;
@@ -58,8 +58,8 @@ tl_status tl_pass_cull_again(tl_pass_context *context,
 /* In place of culling: every tile lists every light that has a range. */
 tl_status tl_pass_list_all(tl_pass_context *context, uint64_t *list_length, tl_error *err);
 
-/* Writes the planes of surroundings in TL_BUFFER_LIGHTS, where the frame, whole and with all its planes, needs
- * some. Device time is added to *ms by tl_pass_finish. */
+/* Writes the planes of surroundings in TL_BUFFER_LIGHTS, where the frame, whole and with all its planes,
+ * needs some. Device time is added to *ms by tl_pass_finish. */
 tl_status tl_pass_occlude(tl_pass_context *context, double *ms, tl_error *err);
 
 /* Writes TL_BUFFER_RADIANCE, and TL_BUFFER_TIMES where the program is a timed one. */

@@ -25,6 +25,7 @@
 
 #include "allowance_map.h"
 #include "allowance_shadow.h"
+#include "occlusion.h"
 #include "ranges.h"
 #include "rough_lobes.h"
 #include "sections.h"
@@ -508,30 +509,43 @@ static tl_allowance sky_of(const tl_prepared *prepared, uint32_t column, uint32_
     return out;
 }
 
+/* Of ambient light: products with albedo and occlusion, and of the capture's occlusion with what surroundings
+ * let through. That share is what kernels are given, so it is exact here. */
+static double ambient_roundings(const tl_prepared *prepared)
+{
+    return prepared->needs.surroundings ? 3.0 : 2.0;
+}
+
 /* A light's ambient lobe multiplies albedo and occlusion; what it is added to before that rounds once. */
-static interval reflected(pixel in, const rough_material *m, const rough_light *light, int i)
+static interval reflected(const tl_prepared *prepared,
+                          pixel in,
+                          const rough_material *m,
+                          const rough_light *light,
+                          int i)
 {
     const double albedo[3] = {in.albedo.x, in.albedo.y, in.albedo.z};
     const double share = albedo[i] * in.occlusion;
+    const double off = (ambient_roundings(prepared) + 1.0) * U;
     return (interval){m->diffuse[i].low * light->diffuse[i].low +
                           m->specular[i].low * light->specular[i].low +
                           m->grazing[i].low * light->grazing[i].low +
-                          share * light->ambient[i].low * (1.0 - 3.0 * U),
+                          share * light->ambient[i].low * (1.0 - off),
                       m->diffuse[i].high * light->diffuse[i].high +
                           m->specular[i].high * light->specular[i].high +
                           m->grazing[i].high * light->grazing[i].high +
-                          share * light->ambient[i].high * (1.0 + 3.0 * U)};
+                          share * light->ambient[i].high * (1.0 + off)};
 }
 
-/* Light that needs no light: albedo ambient occlusion, two roundings, and emission. */
-static void add_unlit(const tl_frame *frame, pixel in, interval sum[3])
+/* Light that needs no light: albedo ambient occlusion, and emission. */
+static void add_unlit(const tl_prepared *prepared, pixel in, interval sum[3])
 {
+    const double off = ambient_roundings(prepared) * U;
     const double albedo[3] = {in.albedo.x, in.albedo.y, in.albedo.z};
     const double emissive[3] = {in.emissive.x, in.emissive.y, in.emissive.z};
     for (int i = 0; i < 3; i++) {
-        const double ambient = albedo[i] * (double)frame->ambient[i] * in.occlusion;
-        sum[i].low += ambient * (1.0 - 2.0 * U) + emissive[i];
-        sum[i].high += ambient * (1.0 + 2.0 * U) + emissive[i];
+        const double ambient = albedo[i] * (double)prepared->frame.ambient[i] * in.occlusion;
+        sum[i].low += ambient * (1.0 - off) + emissive[i];
+        sum[i].high += ambient * (1.0 + off) + emissive[i];
     }
 }
 
@@ -546,6 +560,17 @@ static tl_prepared prepared_at(const tl_prepared *prepared, pixel in)
     return own;
 }
 
+/* at: counted in the planes. */
+static pixel surrounded_pixel(const tl_prepared *prepared,
+                              float *const planes[TL_PLANE_COUNT],
+                              size_t at)
+{
+    pixel in = pixel_at(planes, at);
+    in.occlusion = ambient_share(&prepared->frame, prepared->needs,
+                                 (tl_numbers)prepared->lights, in.occlusion, at);
+    return in;
+}
+
 tl_allowance tl_allowance_of(const tl_prepared *prepared,
                              float *const planes[TL_PLANE_COUNT],
                              uint32_t column,
@@ -553,7 +578,7 @@ tl_allowance tl_allowance_of(const tl_prepared *prepared,
                              tl_cosine form)
 {
     const tl_frame *frame = &prepared->frame;
-    const pixel in = pixel_at(planes, (size_t)row * frame->pitch + column);
+    const pixel in = surrounded_pixel(prepared, planes, (size_t)row * frame->pitch + column);
     if (!(in.depth < INFINITY))
         return sky_of(prepared, column, row);
     const vec3 expected = light_pixel(prepared, in, column, row);
@@ -571,14 +596,14 @@ tl_allowance tl_allowance_of(const tl_prepared *prepared,
         terms++;
         certain &= light.is_certain;
         for (int i = 0; i < 3; i++) {
-            const interval added = reflected(in, &material, &light, i);
+            const interval added = reflected(prepared, in, &material, &light, i);
             sum[i].low += added.low;
             sum[i].high += added.high;
             arriving[i] += light.diffuse[i].high + light.specular[i].high +
                            light.grazing[i].high + light.ambient[i].high;
         }
     }
-    add_unlit(frame, in, sum);
+    add_unlit(prepared, in, sum);
     tl_allowance out = {.expected = {expected.x, expected.y, expected.z}, .certain = certain};
     for (int i = 0; i < 3; i++) {
         const interval light = summed((interval){0.0, arriving[i]}, terms);
@@ -597,7 +622,8 @@ int tl_allowance_share(const tl_prepared *prepared,
                        tl_cosine form,
                        tl_light_share *out)
 {
-    const pixel in = pixel_at(planes, (size_t)row * prepared->frame.pitch + column);
+    const pixel in =
+        surrounded_pixel(prepared, planes, (size_t)row * prepared->frame.pitch + column);
     if (!(in.depth < INFINITY))
         return 0;
     const tl_prepared own = prepared_at(prepared, in);
@@ -609,7 +635,7 @@ int tl_allowance_share(const tl_prepared *prepared,
     *out = (tl_light_share){
         .distance = light.distance, .n_dot_l = light.n_dot_l, .certain = light.is_certain};
     for (int i = 0; i < 3; i++) {
-        const interval added = reflected(in, &material, &light, i);
+        const interval added = reflected(prepared, in, &material, &light, i);
         out->low[i] = added.low;
         out->high[i] = added.high;
     }

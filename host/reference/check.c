@@ -2,6 +2,7 @@
 
 #include "allowance.h"
 #include "parallel.h"
+#include "surround.h"
 #include "tilelight/layouts.h"
 #include "try.h"
 
@@ -11,10 +12,26 @@
 struct tl_check {
     const tl_gbuffer *gbuffer; /* in full float */
     tl_gbuffer *unpacked;      /* that, where it had to be made; or NULL */
+    const tl_light_set *lights;
+    float light_cutoff;
+    uint32_t occlusion_samples; /* 0: the default */
     tl_prepared prepared;
     tl_cosine cosine;
     float *planes[TL_PLANE_COUNT]; /* the G-buffer's */
 };
+
+static tl_status prepare(tl_check *check, tl_error *err)
+{
+    enum { ANY_TILE = 16 }; /* there are no tiles here */
+    const tl_prepare_options options = {.tile_size = ANY_TILE,
+                                        .light_cutoff = check->light_cutoff,
+                                        .occlusion_samples = check->occlusion_samples};
+    const tl_status status =
+        tl_prepare(check->gbuffer, check->lights, &options, NULL, &check->prepared, err);
+    if (status == TL_OK)
+        tl_reference_surround(&check->prepared, check->gbuffer, TL_TWIN_FLOAT);
+    return status;
+}
 
 tl_status tl_check_create(const tl_gbuffer *gbuffer,
                           const tl_light_set *lights,
@@ -23,7 +40,6 @@ tl_status tl_check_create(const tl_gbuffer *gbuffer,
                           tl_check **out,
                           tl_error *err)
 {
-    enum { ANY_TILE = 16 }; /* there are no tiles here */
     tl_status status = TL_OK;
     tl_check *made = calloc(1, sizeof *made);
     if (!made)
@@ -34,9 +50,9 @@ tl_status tl_check_create(const tl_gbuffer *gbuffer,
     made->cosine = cosine;
     for (int p = 0; p < TL_PLANE_COUNT; p++)
         made->planes[p] = tl_gbuffer_plane(made->gbuffer, (enum tl_plane)p);
-    TRY(tl_prepare(made->gbuffer, lights,
-                   &(tl_prepare_options){.tile_size = ANY_TILE, .light_cutoff = light_cutoff},
-                   NULL, &made->prepared, err));
+    made->lights = lights;
+    made->light_cutoff = light_cutoff;
+    TRY(prepare(made, err));
     *out = made;
     made = NULL;
 done:
@@ -68,6 +84,15 @@ tl_status tl_check_allow(tl_check *check, const tl_approximations *of, tl_error 
     if (of->of[TL_KNOB_FORM] == TL_FORM_TEXTBOOK)
         check->cosine = TL_COSINE_TEXTBOOK;
 done:
+    return status;
+}
+
+tl_status tl_check_occlusion(tl_check *check, uint32_t samples, tl_error *err)
+{
+    const tl_approximations of = check->prepared.approximations;
+    check->occlusion_samples = samples;
+    const tl_status status = prepare(check, err);
+    check->prepared.approximations = of;
     return status;
 }
 

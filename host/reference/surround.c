@@ -1,16 +1,16 @@
 #include "surround.h"
 
+#include "occlusion.h"
 #include "parallel.h"
 
-#define DECLARE_TWINS(set)                          \
-    extern tl_surround_rows tl_surround_float_##set, \
-        tl_surround_double_##set, tl_surround_reference_##set;
-#define TWINS(set)                                                \
-    {                                                             \
-        [TL_TWIN_FLOAT] = tl_surround_float_##set,                \
-        [TL_TWIN_CHOSEN] = tl_surround_float_##set,               \
-        [TL_TWIN_DOUBLE] = tl_surround_double_##set,              \
-        [TL_TWIN_REFERENCE] = tl_surround_reference_##set,        \
+#define DECLARE_TWINS(set)                                                     \
+    extern tl_surround_rows tl_surround_float_##set, tl_surround_double_##set, \
+        tl_surround_reference_##set;
+#define TWINS(set)                                                                             \
+    {                                                                                          \
+        [TL_TWIN_FLOAT] = tl_surround_float_##set, [TL_TWIN_CHOSEN] = tl_surround_float_##set, \
+        [TL_TWIN_DOUBLE] = tl_surround_double_##set,                                           \
+        [TL_TWIN_REFERENCE] = tl_surround_reference_##set,                                     \
     }
 DECLARE_TWINS(portable)
 #ifdef TL_HAS_FMA_TWINS
@@ -46,7 +46,7 @@ void tl_reference_surround(const tl_prepared *prepared,
                            const tl_gbuffer *gbuffer,
                            tl_arithmetic arithmetic)
 {
-    const size_t rows = (size_t)prepared->frame.tiles_y * prepared->frame.tile_size;
+    const size_t rows = around_height(&prepared->frame);
     job j = {prepared, twin_for(arithmetic), tl_word_planes_of(gbuffer), TL_SURROUND_GATHER};
     if (!prepared->needs.surroundings)
         return;

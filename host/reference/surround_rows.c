@@ -67,7 +67,7 @@ void TL_TWIN(const tl_prepared *prepared,
              size_t begin,
              size_t end)
 {
-    const uint32_t width = prepared->frame.tiles_x * prepared->frame.tile_size;
+    const uint32_t width = around_width(&prepared->frame);
     const around_view a = around_behind(&prepared->frame, (tl_numbers)prepared->lights);
     for (uint32_t row = (uint32_t)begin; row < end; row++)
         for (uint32_t column = 0; column < width; column++)

@@ -48,6 +48,12 @@ void tl_check_destroy(tl_check *check);
  * TL_COSINE_TEXTBOOK. Fails with TL_ERR_ARGUMENT, naming one that nobody bounds. */
 tl_status tl_check_allow(tl_check *check, const tl_approximations *of, tl_error *err);
 
+/* From now on ambient occlusion is that of so many samples (tl_lighting_options.occlusion_samples). What
+ * share of ambient light arrives is given to every shading kernel, so it is taken as our kernels in float
+ * compute it, and allows for nothing. Fails with TL_ERR_ARGUMENT or TL_ERR_MEMORY; *check can then be
+ * destroyed alone. */
+tl_status tl_check_occlusion(tl_check *check, uint32_t samples, tl_error *err);
+
 /* One value of a picture beside what it may be. */
 typedef struct tl_check_value {
     uint32_t x, y, channel;

@@ -128,8 +128,8 @@ typedef struct tl_lighting_options {
     /* Width of what the light that arrives is a mean over, in texels of a shadow map: 1 to
      * TL_MOST_SHADOW_FILTER, 0: TL_DEFAULT_SHADOW_FILTER. Another picture where there are shadows */
     uint32_t shadow_filter;
-    /* Of a pixel whose surroundings keep ambient light from it: a row of TL_OCCLUSION_SAMPLES (occlusion.h), 0:
-     * TL_DEFAULT_OCCLUSION_SAMPLES. Another picture where there is ambient occlusion */
+    /* Of a pixel whose surroundings keep ambient light from it: a row of TL_OCCLUSION_SAMPLES
+     * (occlusion.h), 0: TL_DEFAULT_OCCLUSION_SAMPLES. Another picture where there is ambient occlusion */
     uint32_t occlusion_samples;
     float light_cutoff; /* a light without a range ends where it gives this (lx); 0: never */
     uint64_t
