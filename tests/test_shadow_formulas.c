@@ -1,8 +1,9 @@
 /* Does a surface never shadow itself, and does what is behind another one lie in its shadow?
  *
  * Maps are made here without OpenGL, texel by texel from planes: one at every angle to the light, and two
- * that meet at a fold, to which both are turned. On them all light arrives everywhere, in every kind of map,
- * with every filter; in maps without slopes it does not. Behind the rim of a plate the share falls from 1 to
+ * that meet at a fold, to which both are turned, whatever their normals say, and a step narrower than a texel.
+ * On them all light arrives everywhere, in every kind of map, with every filter; in maps without slopes it
+ * does not. Behind the rim of a plate the share falls from 1 to
  * 0 over the filter's width, and is a half at the rim. */
 #include "testing.h"
 
@@ -237,7 +238,17 @@ static int is_lit_well(const lookup *l, const solid *s, const double point[3])
 
 static const uint32_t filters[] = {1, 2, 3, 5, TL_MOST_SHADOW_FILTER};
 
-static void hold_lit(const solid *s, const char *what, double tilt)
+/* Of both planes, as smooth shading has it at their fold. */
+static void mean_normal(const solid *s, double n[3])
+{
+    double sum[3];
+    for (int i = 0; i < 3; i++)
+        sum[i] = s->of[0].n[i] + s->of[1].n[i];
+    for (int i = 0; i < 3; i++)
+        n[i] = sum[i] / sqrt(dot(sum, sum));
+}
+
+static void hold_lit(const solid *s, int is_smooth, const char *what, double tilt)
 {
     for (uint32_t kind = 0; kind < TL_SHADOW_KIND_COUNT; kind++)
         for (size_t f = 0; f < COUNT_OF(filters); f++) {
@@ -248,7 +259,11 @@ static void hold_lit(const solid *s, const char *what, double tilt)
                 const plane *on = random_point(&l, s, point);
                 if (!is_lit_well(&l, s, point))
                     continue;
-                const float share = share_on(&l, point, on->n);
+                double normal[3];
+                memcpy(normal, on->n, sizeof normal);
+                if (is_smooth)
+                    mean_normal(s, normal);
+                const float share = share_on(&l, point, normal);
                 if (!(share >= 1.0f))
                     fail_msg("%s, tilted by %g, kind %u, filter %u: a share of %g arrives at "
                              "(%g, %g, %g)",
@@ -266,7 +281,7 @@ static void planes_are_lit(void **state)
     (void)state;
     for (size_t i = 0; i < COUNT_OF(tilts); i++) {
         const solid s = {{tilted(tilts[i], random_in(0.0, 6.28))}, ONE};
-        hold_lit(&s, "a plane", tilts[i]);
+        hold_lit(&s, 0, "a plane", tilts[i]);
     }
 }
 
@@ -278,7 +293,8 @@ static void folds_are_lit(void **state)
             const solid s = {{tilted(tilts[i], random_in(0.0, 6.28)),
                               tilted(random_in(0.0, 1.4), random_in(0.0, 6.28))},
                              how};
-            hold_lit(&s, how == RIDGE ? "a ridge" : "a valley", tilts[i]);
+            hold_lit(&s, 0, how == RIDGE ? "a ridge" : "a valley", tilts[i]);
+            hold_lit(&s, 1, how == RIDGE ? "a smooth ridge" : "a smooth valley", tilts[i]);
         }
 }
 
@@ -321,6 +337,52 @@ static void fill_with_plate(tl_shadow_map *map, const plane *plate, const plane 
             }
 }
 
+/* Where a ray of the view is across it, at a depth. */
+static double across_at(const tl_camera *view, double x, double depth)
+{
+    double from[3], along[3];
+    world_ray(view, x, SIZE / 2, from, along);
+    return from[0] + along[0] * depth;
+}
+
+/* A step of three texels' width down, which takes three tenths of a texel: its riser is under no texel's
+ * centre, and only its own normal tells of it. */
+static void risers_are_lit(void **state)
+{
+    static const double upper = 4.0, begins = SIZE / 2 + 0.1, ends = SIZE / 2 + 0.4;
+    (void)state;
+    for (uint32_t kind = 0; kind < TL_SHADOW_KIND_COUNT; kind++)
+        for (size_t f = 0; f < COUNT_OF(filters); f++) {
+            lookup l;
+            const solid s = {{tilted(0.0, 0.0)}, ONE};
+            begin(&l, kind, filters[f], &s);
+            const tl_camera *view = &l.maps.of[0].views[kind == TL_SHADOW_CUBE ? 5 : 0];
+            const double texel =
+                fabs(across_at(view, ends, upper) - across_at(view, begins, upper)) / 0.3;
+            const double lower = upper + 3.0 * texel;
+            const plane high = {{0, 0, 1}, -upper}, low = {{0, 0, 1}, -lower};
+            fill_with_plate(&l.maps.of[0], &high, &low);
+            memcpy((float *)(void *)l.prepared.lights + (size_t)l.shadow.texels_at * 4,
+                   l.maps.of[0].texels, tl_shadow_map_size(&l.maps.of[0]));
+            const double run = across_at(view, ends, lower) - across_at(view, begins, upper);
+            const double length = hypot(run, lower - upper);
+            const double normal[3] = {(lower - upper) / length, 0.0, run / length};
+            for (int i = 0; i < POINTS / 10; i++) {
+                const double part = random_in(0.2, 0.8);
+                const double depth = upper + part * (lower - upper);
+                double from[3], along[3];
+                world_ray(view, SIZE / 2, random_in(20, SIZE - 20), from, along);
+                const double point[3] = {across_at(view, begins, upper) + part * run,
+                                         from[1] + along[1] * depth, -depth};
+                const float share = share_on(&l, point, normal);
+                if (!(share >= 1.0f))
+                    fail_msg("kind %u, filter %u: a share of %g arrives at %g of a riser", kind,
+                             filters[f], (double)share, part);
+            }
+            end(&l);
+        }
+}
+
 /* Where the square around a place is half beside the plate, half of the light arrives; and so on, linearly.
  * */
 static void rims_are_as_wide_as_the_filter(void **state)
@@ -359,6 +421,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(planes_are_lit),
         cmocka_unit_test(folds_are_lit),
+        cmocka_unit_test(risers_are_lit),
         cmocka_unit_test(rims_are_as_wide_as_the_filter),
         cmocka_unit_test(without_slopes_planes_are_dark),
     };
