@@ -96,22 +96,22 @@ static void expect_lines(const char *command, const char *const *lines, size_t c
 static void each_effect_is_told_with_its_reason(void **state)
 {
     static const char *const lamps[] = {
-        "\n  global-lights   on   light 5 \"sun\"\n",
-        "\n  ranged-lights   on   4 lights, the first is light 1 \"lamp\"\n",
-        "\n  directional     on   light 5 \"sun\"\n",
-        "\n  inverse-square  on   4 lights, the first is light 1 \"lamp\"\n",
-        "\n  linear          off  no light with a linear falloff\n",
-        "\n  specular        off  no specular or metal-rough material\n",
-        "\n  occlusion       off  no ambient light\n",
-        "\n  emission        off  emissive is black in every pixel\n",
-        "\n  sky             on   sky 0.25 0.5 1\n",
-        "\n  orthographic    off  no orthographic camera\n",
+        "\n  global-lights      on   light 5 \"sun\"\n",
+        "\n  ranged-lights      on   4 lights, the first is light 1 \"lamp\"\n",
+        "\n  directional        on   light 5 \"sun\"\n",
+        "\n  inverse-square     on   4 lights, the first is light 1 \"lamp\"\n",
+        "\n  linear             off  no light with a linear falloff\n",
+        "\n  specular           off  no specular or metal-rough material\n",
+        "\n  occlusion          off  no ambient light\n",
+        "\n  emission           off  emissive is black in every pixel\n",
+        "\n  sky                on   sky 0.25 0.5 1\n",
+        "\n  orthographic       off  no orthographic camera\n",
         "left out\n  light 0 \"burnt out\": has no colour or no intensity\n"
         "  plane ao: not read by any effect that is on\n"
         "  plane emissive: not read, black in every pixel\n",
-        "\n  global-lights         9 tiles          9 pairs\n",
-        "\n  ranged-lights         2 tiles          4 pairs\n",
-        "\n  sky                   3 tiles\n",
+        "\n  global-lights            9 tiles          9 pairs\n",
+        "\n  ranged-lights            2 tiles          4 pairs\n",
+        "\n  sky                      3 tiles\n",
         "\n  tiles           12 of 16 x 16 pixels: 3 sky alone, 7 more without a listed "
         "light\n",
         "\n  pairs           4 of a tile and a light, 0.3 a tile\n",
@@ -121,10 +121,10 @@ static void each_effect_is_told_with_its_reason(void **state)
         "\nstages, ms",
     };
     static const char *const all[] = {
-        "\n  linear          on   --effects all\n",
-        "\n  ambient         on   --effects all\n",
-        "\n  occlusion       on   plane ao; --effects all\n",
-        "\n  emission        on   --effects all\n",
+        "\n  linear             on   --effects all\n",
+        "\n  ambient            on   --effects all\n",
+        "\n  occlusion          on   plane ao; --effects all\n",
+        "\n  emission           on   --effects all\n",
         "left out\n  light 0 \"burnt out\": has no colour or no intensity; lit all the same, "
         "by "
         "--effects all\n",

@@ -107,8 +107,7 @@ static void bands_do_not_show(void **state)
 
 static void layouts_have_the_same_bits(void **state)
 {
-    static const enum tl_layout_name layouts[] = {TL_LAYOUT_FLOAT_POSITION, TL_LAYOUT_MERLIN,
-                                                  TL_LAYOUT_ISPC, TL_LAYOUT_COMPACT_12};
+    static const enum tl_layout_name layouts[] = {TL_LAYOUT_FLOAT_POSITION, TL_LAYOUT_ISPC};
     tl_gbuffer *g = room_frame(TL_PERSPECTIVE, 0);
     for (size_t i = 0; i < COUNT_OF(layouts); i++) {
         tl_gbuffer *packed = NULL;

@@ -8,15 +8,17 @@
 /* Shadow maps are empty: each pixel looks up all that it would, and finds all of the light. */
 typedef struct stage_row {
     const char *name, *meaning;
-    const char *frame;  /* of the frames of effects */
-    uint32_t map_count; /* lights of the frame, from its first on, that get a map */
-    uint32_t map_size;  /* texels each way */
+    const char *frame;      /* of the frames of effects */
+    uint32_t map_count;     /* lights of the frame, from its first on, that get a map */
+    uint32_t map_size;      /* texels each way */
+    float occlusion_radius; /* m; 0: ambient light is not kept from anything */
 } stage_row;
 
 static const stage_row stages[] = {
-    {"shadows", "of a sun, in a map of 2048 texels each way", "sun", 1, 2048},
-    {"shadows", "of 16 of 1024 lamps, in six maps of 256 each", "gloss", 16, 256},
-    {"shadows", "of all of 1024 lamps, in six maps of 64 each", "gloss", 1024, 64},
+    {"shadows", "of a sun, in a map of 2048 texels each way", "sun", 1, 2048, 0.0f},
+    {"shadows", "of 16 of 1024 lamps, in six maps of 256 each", "gloss", 16, 256, 0.0f},
+    {"shadows", "of all of 1024 lamps, in six maps of 64 each", "gloss", 1024, 64, 0.0f},
+    {"ambient-occlusion", "within half a metre, in 64 looks a pixel", "spots", 0, 0, 0.5f},
 };
 const int tl_stage_count = sizeof stages / sizeof stages[0];
 
@@ -85,6 +87,7 @@ tl_status tl_stage_make(int index,
     TRY(tl_effect_frame_make(frame_named(of->frame), width, height, without, err));
     TRY(tl_effect_frame_alike(without, with, err));
     TRY(cast_shadows(of, without, with, err));
+    with->lights.occlusion_radius = of->occlusion_radius;
 done:
     if (status != TL_OK) {
         tl_effect_frame_clear(with);

@@ -26,6 +26,8 @@ static void choose_exact(tl_study_pictures *p)
     const double pairs = (double)c->width * c->height * (double)p->frame->lights.count;
     for (int knob = 0; knob < TL_STUDY_KNOB_COUNT; knob++)
         p->exact[knob] = tl_study_knobs[knob].exact;
+    if (!p->needs.has_occlusion)
+        p->exact[TL_STUDY_KNOB_OCCLUSION] = tl_study_knobs[TL_STUDY_KNOB_OCCLUSION].usual;
     if (pairs > most_pairs)
         p->exact[TL_STUDY_KNOB_CULL] = "rect";
     if (pairs > most_pairs && p->needs.has_double)
@@ -37,10 +39,13 @@ tl_study_needs tl_study_needs_of(const tl_study_frame *frame, const tl_device *d
     tl_study_needs needs = {.present = frame->gbuffer->present,
                             .has_double = tl_device_describe(device).has_double};
     const uint32_t gloss = TL_GROUP_PHONG | TL_GROUP_METAL_ROUGH;
+    for (int i = 0; i < 3; i++)
+        needs.has_occlusion |=
+            frame->lights.occlusion_radius > 0.0f && frame->lights.ambient[i] > 0.0f;
     for (size_t i = 0; i < frame->lights.count; i++)
-        needs.has_shadows |= frame->lights.lights[i].casts_shadow &&
-                             tl_shadow_map_of(&frame->gbuffer->shadows,
-                                              &frame->lights.lights[i]) != NULL;
+        needs.has_shadows |=
+            frame->lights.lights[i].casts_shadow &&
+            tl_shadow_map_of(&frame->gbuffer->shadows, &frame->lights.lights[i]) != NULL;
     for (size_t i = 0; i < frame->lights.count; i++)
         needs.has_highlights |=
             (needs.present & gloss) && frame->lights.lights[i].specular > 0.0f;

@@ -1,10 +1,12 @@
 #include "study_knobs.h"
 
 #include "tilelight/layouts.h"
+#include "tilelight/occlusion.h"
 #include "try.h"
 #include "words.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define CAUSE_WORD(name, word, meaning) [name] = word,
@@ -37,6 +39,9 @@ const char *const tl_study_cause_meanings[] = {TL_STUDY_CAUSES(CAUSE_MEANING)};
 #define TEXT_OF(number) #number
 #define TEXT_OF_VALUE(number) TEXT_OF(number)
 #define DEFAULT_FILTER TEXT_OF_VALUE(TL_DEFAULT_SHADOW_FILTER)
+#define DEFAULT_SAMPLES TEXT_OF_VALUE(TL_DEFAULT_OCCLUSION_SAMPLES)
+#define SAMPLES_WORD(samples, slices, steps, halvings) TEXT_OF(samples),
+#define COMMA_SAMPLES(samples, slices, steps, halvings) "," TEXT_OF(samples)
 
 static tl_status set_cutoff(tl_study_config *config, const char *word, tl_error *err)
 {
@@ -87,6 +92,23 @@ static tl_status set_filter(tl_study_config *config, const char *word, tl_error 
 static int has_shadows(const tl_study_needs *needs, const tl_study_config *config)
 {
     return needs->has_shadows || config->of.lighting.shadow_filter == TL_DEFAULT_SHADOW_FILTER;
+}
+
+static tl_status set_samples(tl_study_config *config, const char *word, tl_error *err)
+{
+    static const char *const words[] = {TL_OCCLUSION_SAMPLES(SAMPLES_WORD)};
+    size_t at = 0;
+    const tl_status status = tl_word_among("--knob occlusion-samples", word, words,
+                                           sizeof words / sizeof words[0], &at, err);
+    if (status == TL_OK)
+        config->of.lighting.occlusion_samples = (uint32_t)strtoul(words[at], NULL, 10);
+    return status;
+}
+
+static int has_occlusion(const tl_study_needs *needs, const tl_study_config *config)
+{
+    return needs->has_occlusion ||
+           config->of.lighting.occlusion_samples == TL_DEFAULT_OCCLUSION_SAMPLES;
 }
 
 /* Those of highlights are for frames that have some; and some are not there in double. */
@@ -173,6 +195,20 @@ const tl_study_knob tl_study_knobs[TL_STUDY_KNOB_COUNT] = {
                               .axis = -1,
                               .set = set_filter,
                               .fits = has_shadows},
+    [TL_STUDY_KNOB_OCCLUSION] =
+        {.name = "occlusion-samples",
+         .meaning = "looks around a pixel for what keeps ambient light from it",
+         .trades = "horizons that are missed for looks; errors are what the picture differs by "
+                   "from that of 256 looks, not from what rays would find",
+         .cause = TL_STUDY_APPROXIMATION,
+         .usual = DEFAULT_SAMPLES,
+         .exact = "256",
+         .alone = "8,16,32,128,256",
+         .quick = "16",
+         .all = ALL(TL_OCCLUSION_SAMPLES(COMMA_SAMPLES)),
+         .axis = -1,
+         .set = set_samples,
+         .fits = has_occlusion},
     TL_KNOBS(APPROXIMATION)[TL_STUDY_KNOB_CULL] =
         {.name = "cull",
          .meaning = "which lights a tile computes",

@@ -175,6 +175,9 @@ static void add_setting(char *text, const job *j, const explained *e, tl_cause c
 {
     switch (cause) {
     case TL_CAUSE_AMBIENT: add_ambient(text, j, e); return;
+    case TL_CAUSE_RADIUS:
+        add(text, "ambient occlusion within %g m", (double)j->lights.occlusion_radius);
+        return;
     case TL_CAUSE_SKY: add_color(text, "sky", j->lights.sky); return;
     case TL_CAUSE_MODEL: add_models(text, j); return;
     case TL_CAUSE_ROWS: add_rows(text, j); return;
@@ -317,7 +320,7 @@ static void print_use(const explained *e)
         const effect_cost *cost = &e->costs[i];
         if (!is_on(e, i))
             continue;
-        fprintf(stderr, "  %-14s  %7" PRIu32 " tiles", tl_effect_rows[i].word, use->tiles);
+        fprintf(stderr, "  %-17s  %7" PRIu32 " tiles", tl_effect_rows[i].word, use->tiles);
         if (tl_effects_of_light(~0u, ~0u) >> i & 1u)
             fprintf(stderr, " %10.0f pairs", use->pairs);
         else if (e->has_costs)
@@ -416,7 +419,7 @@ void explain_print(const job *j, const explained *e)
     fprintf(stderr, "effects\n");
     for (int i = 0; i < TL_EFFECT_COUNT; i++) {
         because(j, e, i, text);
-        fprintf(stderr, "  %-14s  %-3s  %s\n", tl_effect_rows[i].word,
+        fprintf(stderr, "  %-17s  %-3s  %s\n", tl_effect_rows[i].word,
                 is_on(e, i) ? "on" : "off", text);
     }
     each_left_out(j, e, print_left_out, &lines);
