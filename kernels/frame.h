@@ -44,7 +44,8 @@ typedef struct tl_frame {
     tl_u32 calls_at; /* what each light calls for: choices.h */
     float exponent;  /* of all surfaces, where they have one (needs.h); else 0 */
     tl_u32 surroundings_at; /* what keeps ambient light from pixels: occlusion.h */
-    tl_u32 unused[2];
+    tl_u32 is_layer; /* 1: is blended (blend.h), and what it says of sky not read */
+    tl_u32 unused;
 } tl_frame;
 TL_STATIC_ASSERT(sizeof(tl_frame) == 192, frame_is_twelve_rows);
 

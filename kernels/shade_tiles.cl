@@ -254,7 +254,7 @@ TL_INLINE vec3 lit_block(const tl_frame *frame,
 /* needs: what the tile computes. Where they leave something out that the build has, that is a constant, and
  * the function compiled once more (cones), or a branch that is the same for all of the tile (lobes,
  * shapes). Of the next tile's planes a row that is all sky asks for depth alone: there, too, it is as a
- * rule. */
+ * rule. Of a layer such rows are not written. */
 TL_INLINE void shade_tile(const tl_frame *frame,
                           tl_needs needs,
                           uint tile,
@@ -274,6 +274,10 @@ TL_INLINE void shade_tile(const tl_frame *frame,
         const block_row of = {(size_t)(frame->buffer_row + row) * frame->pitch + column0,
                               column0, row};
         const int shows = load_surfaces(frame, needs, words_there, planes, rows, of, surfaces);
+        if (frame->is_layer && !shows) {
+            ask_for_next(&layout, depth_words(&layout), planes, of.first, frame);
+            continue;
+        }
         ask_for_next_tile(&layout, shows ? words_there : depth_words(&layout), planes, radiance,
                           of.first, frame);
         for (uint b = 0; b < frame->tile_size / BLOCK_COLUMNS; b++) {

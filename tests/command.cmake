@@ -54,3 +54,6 @@ set_tests_properties(shadows_page_is_made PROPERTIES LABELS unit)
 add_test(NAME captures_page_is_made
          COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/scripts/make-captures-page --check)
 tl_test_properties(captures_page_is_made unit)
+
+tl_test(test_layers_panes raster tl_raster tl_lighting PkgConfig::JANSSON)
+tl_test(test_layers_scenes raster tl_raster tl_lighting PkgConfig::JANSSON)

@@ -8,6 +8,7 @@ function(tl_exr_test name)
 endfunction()
 
 tl_test(test_file_shadows unit tl_files)
+tl_exr_test(test_file_layers)
 tl_test(test_file_gbuffer_round_trip unit tl_files)
 tl_exr_test(test_file_gbuffer_standard)
 tl_exr_test(test_file_words)

@@ -267,13 +267,15 @@ static const struct {
     {"mask", "\"alphaMode\":\"MASK\",", 128, 0},
     {"mask at a level", "\"alphaMode\":\"MASK\",\"alphaCutoff\":0.8,", 204, 0},
     {"mask above all", "\"alphaMode\":\"MASK\",\"alphaCutoff\":1.5,", 256, 0},
-    {"blend", "\"alphaMode\":\"BLEND\",", 128, 1},
+    {"blend, without layers", "\"alphaMode\":\"BLEND\",", 128, 1},
 };
 
 static void alpha_makes_holes(void **state)
 {
     uint8_t ramp[4 * SIZE];
+    tl_capture_options opaque = options;
     (void)state;
+    opaque.without_layers = true;
     for (int x = 0; x < SIZE; x++) {
         const uint8_t pixel[4] = {255, 255, 255, (uint8_t)(4 * x)};
         memcpy(ramp + 4 * x, pixel, 4);
@@ -286,7 +288,7 @@ static void alpha_makes_holes(void **state)
         text = edited(text, "\"name\":\"paint\"", before);
         text = edited(text, "\"metallicFactor\"",
                       "\"baseColorTexture\":{\"index\":0},\"metallicFactor\"");
-        capture_ok(text, &taken);
+        ASSERT_OK(shoot_text("holes", text, &opaque, &taken), taken.err);
         for (uint32_t x = 0; x < SIZE; x++)
             if (isfinite(shown_at(&taken, TL_DEPTH, x, 9)) != ((int)(4 * x) >= holes[i].least))
                 fail_msg("%s: alpha %u is %s", holes[i].name, 4 * x,

@@ -25,7 +25,8 @@ static char *unlit_scene(const char *material, const char *extra)
 
 static void capture_ok(const char *text, enum tl_layout_name layout, shot *taken)
 {
-    const tl_capture_options options = {.width = SIZE, .height = SIZE, .layout = layout};
+    const tl_capture_options options = {
+        .width = SIZE, .height = SIZE, .layout = layout, .without_layers = true};
     ASSERT_OK(shoot_text("unlit", text, &options, taken), taken->err);
     ASSERT_OK(tl_gbuffer_repair(taken->gbuffer, "unlit", true, NULL, &taken->err), taken->err);
 }
@@ -149,7 +150,8 @@ static void nothing_is_added_in_any_layout(void **state)
     free(text);
 }
 
-/* Alpha has its modes as elsewhere: the picture's left half, of alpha 0.4, is a hole unless it is opaque. */
+/* Alpha has its modes as elsewhere, BLEND without layers: the picture's left half, of alpha 0.4, is a hole unless
+ * it is opaque. */
 static void alpha_modes_still_apply(void **state)
 {
     static const uint8_t halves[8] = {255, 255, 255, 102, 255, 255, 255, 255};

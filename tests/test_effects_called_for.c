@@ -44,6 +44,8 @@ typedef struct scene {
     float row_specular;
     int is_dark; /* tl_gbuffer.is_dark */
     tl_projection projection;
+    uint32_t layers;
+    int without_layers; /* though it has some */
     enum tl_layout_name layout;
     tl_effects_mode mode;
     uint32_t effects; /* expected: all of them */
@@ -164,12 +166,15 @@ static const scene minimal[TL_EFFECT_COUNT] = {
                                 .needs = {.ambient = 1, .surroundings = 1}},
     [TL_EFFECT_EMISSION] = {"emission", EMISSION, .effects = ON(EMISSION)},
     [TL_EFFECT_SKY] = {"a sky", TL_GROUP_BASE, .sky = 0.5f, .effects = ON(SKY)},
+    [TL_EFFECT_TRANSLUCENCY] = {"a layer", TL_GROUP_BASE, .layers = 1,
+                                .effects = ON(TRANSLUCENCY)},
     [TL_EFFECT_PARALLEL] = {"parallel rays", TL_GROUP_BASE, .projection = TL_ORTHOGRAPHIC,
                             .effects = ON(PARALLEL), .needs = {.orthographic = 1}},
 };
 
 /* What might be taken for a cause, and is none. */
 static const scene others[] = {
+    {"a layer that is not lit", TL_GROUP_BASE, .layers = 1, .without_layers = 1},
     {"nothing at all", TL_GROUP_BASE, .effects = 0},
     {"a radius without ambient light", TL_GROUP_BASE, .radius = 0.5f, .effects = 0},
     {"a radius where nothing reflects", TL_GROUP_BASE, .is_dark = 1, .ambient = 0.1f,
@@ -359,6 +364,8 @@ static tl_prepared prepared_of(const scene *s)
     tl_error err;
     camera.projection = s->projection;
     ASSERT_OK(tl_gbuffer_create_packed(&camera, s->layout, s->present, &g, &err), err);
+    for (uint32_t i = 0; i < s->layers; i++)
+        ASSERT_OK(tl_layers_add(g, NULL, &err), err);
     g->neutral = s->neutral;
     g->is_dark = s->is_dark;
     lights.ambient[1] = s->ambient;
@@ -381,7 +388,10 @@ static tl_prepared prepared_of(const scene *s)
         row.specular[1] = s->row_specular;
         ASSERT_OK(tl_light_set_add_material(&lights, &row, &err), err);
     }
-    ASSERT_OK(tl_prepare(g, &lights, &(tl_prepare_options){.tile_size = 16, .effects = s->mode},
+    ASSERT_OK(tl_prepare(g, &lights,
+                         &(tl_prepare_options){.tile_size = 16,
+                                               .effects = s->mode,
+                                               .layers = s->without_layers ? 0 : s->layers},
                          NULL, &prepared, &err),
               err);
     tl_light_set_clear(&lights);
@@ -453,17 +463,17 @@ static void what_changes_nothing_calls_for_nothing(void **state)
 
 static void each_cause_is_needed(void **state)
 {
-    uint32_t used = 0;
+    uint64_t used = 0;
     (void)state;
     for (int i = 0; i < TL_EFFECT_COUNT; i++) {
-        const uint32_t causes = tl_effect_rows[i].causes;
+        const uint64_t causes = tl_effect_rows[i].causes;
         assert_true(tl_effects_of(causes) >> i & 1);
         for (int c = 0; c < TL_CAUSE_COUNT; c++)
             if (causes >> c & 1)
-                assert_false(tl_effects_of(~(1u << c)) >> i & 1);
+                assert_false(tl_effects_of(~TL_BY(c)) >> i & 1);
         used |= causes;
     }
-    assert_int_equal(used, UINT32_MAX >> (32 - TL_CAUSE_COUNT));
+    assert_int_equal(used, UINT64_MAX >> (64 - TL_CAUSE_COUNT));
 }
 
 int main(void)

@@ -42,6 +42,7 @@ static const struct {
     FIELD(tl_frame, calls_at),
     FIELD(tl_frame, surroundings_at),
     FIELD(tl_frame, exponent),
+    FIELD(tl_frame, is_layer),
     {"sizeof tl_view_light", sizeof(tl_view_light)},
     FIELD(tl_view_light, position),
     FIELD(tl_view_light, range2),

@@ -2,6 +2,7 @@
 
 #include "tilelight/layouts.h"
 #include "tilelight/scatter.h"
+#include "try.h"
 #include "words.h"
 
 #include <string.h>
@@ -39,6 +40,24 @@ static tl_status set_material(tl_bench_case *of, const char *word, tl_error *err
     const tl_status status =
         tl_word_among("--material", word, names, (size_t)tl_bench_material_count, &at, err);
     of->scene_options.material = &tl_bench_materials[at];
+    return status;
+}
+
+/* "4" or "4/10". */
+static tl_status set_layers(tl_bench_case *of, const char *word, tl_error *err)
+{
+    static const char option[] = "--layers (N, or N/PART)";
+    const char *slash = strchr(word, '/');
+    char count[TL_BENCH_WORD_SIZE] = "";
+    uint32_t part = 1;
+    tl_status status = TL_OK;
+    const size_t length = slash ? (size_t)(slash - word) : strlen(word);
+    memcpy(count, word, length < sizeof count ? length : sizeof count - 1);
+    if (slash)
+        TRY(tl_word_integer(option, slash + 1, 1, 1000, &part, err));
+    TRY(tl_word_integer(option, count, 0, TL_MOST_LAYERS, &of->scene_options.layer_count, err));
+    of->scene_options.layer_part = part;
+done:
     return status;
 }
 
@@ -153,6 +172,11 @@ const tl_bench_axis tl_bench_axes[TL_AXIS_COUNT] = {
     [TL_AXIS_MATERIAL] = {"material", "NAME,...",
                           "What surfaces are made of; `tilelight bench --list' describes them",
                           "phong", NULL, set_material},
+    [TL_AXIS_LAYERS] =
+        {"layers", "N,...",
+         "Layers that blend, before the scene, lit by turns with the scene without: "
+         "0 to 64 of them; N/10: N of a tenth of the picture",
+         "0", NULL, set_layers},
     [TL_AXIS_LIGHTS] = {"lights", "N,...", "How many lights, 1 to 1000000", "1024", NULL,
                         set_lights},
     [TL_AXIS_PER_TILE] =

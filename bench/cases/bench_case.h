@@ -15,6 +15,7 @@ typedef enum tl_bench_axis_name {
     TL_AXIS_SCENE,
     TL_AXIS_SIZE,
     TL_AXIS_MATERIAL,
+    TL_AXIS_LAYERS,
     TL_AXIS_LIGHTS,
     TL_AXIS_PER_TILE,
     TL_AXIS_RANGE,
@@ -35,7 +36,7 @@ typedef struct tl_bench_case {
     const tl_bench_scene *scene;
     tl_bench_scene_options scene_options;
     /* How its pixels are packed, and in what other layout the same frame is lit by turns with it;
-     * where both are one, it is lit alone. */
+     * where both are one, it is lit alone, but for a frame with layers: by turns with it without. */
     enum tl_layout_name layout, against;
     tl_lighting_options lighting;
     char words[TL_AXIS_COUNT][TL_BENCH_WORD_SIZE]; /* as given: what it is called */

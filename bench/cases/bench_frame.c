@@ -1,5 +1,6 @@
 #include "bench_frame.h"
 
+#include "bench_layers.h"
 #include "ray_cast.h"
 #include "scene_lights.h"
 #include "tilelight/layouts.h"
@@ -16,6 +17,8 @@ static tl_status make_gbuffer(tl_bench_frame *frame, const tl_bench_case *of, tl
     tl_bench_frame_clear(frame);
     TRY(tl_ray_cast(of->scene, of->scene_options.material->present, width, height,
                     &frame->gbuffer, err));
+    TRY(tl_bench_layers_add(frame->gbuffer, of->scene_options.layer_count,
+                            of->scene_options.layer_part, err));
     TRY(tl_gbuffer_repair(frame->gbuffer, of->scene->name, false, NULL, err));
     TRY(tl_image_create(width, height, &frame->image, err));
     frame->rgb = malloc(3 * (size_t)width * height);

@@ -7,7 +7,8 @@
 #include "sampling.h"
 #include "storage_error.h"
 
-/* The same frame in two layouts, by turns: times of one over those of the other, pair by pair. */
+/* The same frame in two layouts, or with its layers and without, by turns: times of one over those of the
+ * other, pair by pair. */
 typedef struct tl_bench_turns {
     uint32_t pixel_bytes;          /* of the other */
     tl_summary frame_ms;           /* of the other */

@@ -51,6 +51,10 @@ const tl_bench_set tl_bench_sets[] = {
      "fewer bytes per pixel",
      0,
      {.of[TL_AXIS_LAYOUT] = "float,compact-16,compact-12"}},
+    {"translucency",
+     "layers that blend, of all of the picture and of a tenth, by turns with none",
+     1,
+     {.of[TL_AXIS_LAYERS] = "1,2,4,8,1/10,8/10,8/1000"}},
     LAYOUTS("phong", "all"),
     LAYOUTS("diffuse",
             "shaderx2-128,shaderx2-128-s10,shaderx2-128-u8,shaderx2-128-s8,"
@@ -181,7 +185,9 @@ int tl_bench_case_same_gbuffer(const tl_bench_case *a, const tl_bench_case *b)
 {
     return a->scene == b->scene && a->scene_options.width == b->scene_options.width &&
            a->scene_options.height == b->scene_options.height &&
-           a->scene_options.material == b->scene_options.material;
+           a->scene_options.material == b->scene_options.material &&
+           a->scene_options.layer_count == b->scene_options.layer_count &&
+           a->scene_options.layer_part == b->scene_options.layer_part;
 }
 
 int tl_bench_case_same_frame(const tl_bench_case *a, const tl_bench_case *b)

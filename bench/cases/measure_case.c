@@ -15,7 +15,8 @@ typedef struct side {
 
 /* What every sample adds to. */
 typedef struct measuring {
-    side ours, theirs; /* theirs: the other layout; no lighting where there is none */
+    /* theirs: in the other layout, or without layers; no lighting where there is neither */
+    side ours, theirs;
     tl_samples frame_ratio, cull_ratio, shade_ratio;
     tl_samples post, processors, stages[TL_MAX_STAGES];
     int stage_count;
@@ -174,11 +175,14 @@ static tl_status prepare(tl_device *device,
                          tl_error *err)
 {
     tl_status status = TL_OK;
+    tl_lighting_options others = of->lighting;
     TRY(tl_bench_frame_in(frame, of->layout, &m->ours.gbuffer, err));
     TRY(tl_lighting_create(device, &of->lighting, &m->ours.lighting, err));
-    if (of->against != of->layout) {
+    if (of->against == of->layout)
+        others.layers = 0;
+    if (of->against != of->layout || m->ours.gbuffer->layers.count > 0) {
         TRY(tl_bench_frame_in(frame, of->against, &m->theirs.gbuffer, err));
-        TRY(tl_lighting_create(device, &of->lighting, &m->theirs.lighting, err));
+        TRY(tl_lighting_create(device, &others, &m->theirs.lighting, err));
     }
 done:
     return status;

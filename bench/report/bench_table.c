@@ -34,8 +34,10 @@ static double figure(const char *name, const tl_bench_record *r)
 static void print_turns(FILE *out, const tl_bench_record *r)
 {
     const tl_bench_turns *t = &r->turns;
-    fprintf(out, "    %.3f of the frame's time in %s", t->frame.median,
-            tl_layout_word(r->of.against));
+    const int is_layout = r->of.against != r->of.layout;
+    fprintf(out, "    %.3f of the frame's time %s%s", t->frame.median,
+            is_layout ? "in " : "without layers",
+            is_layout ? tl_layout_word(r->of.against) : "");
     if (t->frame.count > 1)
         fprintf(out, " (%.3f to %.3f)", t->frame.interval.low, t->frame.interval.high);
     if (t->shade.count > 0)

@@ -59,6 +59,7 @@ tl_bench_scene_options tl_bench_scene_options_default(void)
     return (tl_bench_scene_options){.width = 1920,
                                     .height = 1080,
                                     .material = &tl_bench_materials[0],
+                                    .layer_part = 1,
                                     .light_count = 1024,
                                     .seed = 1,
                                     .lights_per_tile = 27.0};

@@ -42,6 +42,8 @@ extern const int tl_bench_material_count;
 typedef struct tl_bench_scene_options {
     uint32_t width, height; /* px */
     const tl_bench_material *material;
+    uint32_t layer_count; /* that blend, before the scene: bench_layers.h */
+    uint32_t layer_part;  /* of the picture that each is of: 1 all of it, 2 half, ... */
     uint32_t light_count; /* 0 to TL_MAX_SCATTERED */
     uint32_t seed;
     double lights_per_tile; /* on average of 16 px tiles, sky included, as TL_CULL_DEPTH lists

@@ -42,6 +42,7 @@ tl_study_needs tl_study_needs_of(const tl_study_frame *frame, const tl_device *d
     for (int i = 0; i < 3; i++)
         needs.has_occlusion |=
             frame->lights.occlusion_radius > 0.0f && frame->lights.ambient[i] > 0.0f;
+    needs.has_layers = frame->gbuffer->layers.count > 0;
     for (size_t i = 0; i < frame->lights.count; i++)
         needs.has_shadows |=
             frame->lights.lights[i].casts_shadow &&

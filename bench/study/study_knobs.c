@@ -111,6 +111,20 @@ static int has_occlusion(const tl_study_needs *needs, const tl_study_config *con
            config->of.lighting.occlusion_samples == TL_DEFAULT_OCCLUSION_SAMPLES;
 }
 
+static tl_status set_layers(tl_study_config *config, const char *word, tl_error *err)
+{
+    config->of.lighting.layers = TL_MOST_LAYERS;
+    if (strcmp(word, "all") == 0)
+        return TL_OK;
+    return tl_word_integer("--knob layers (or all)", word, 0, TL_MOST_LAYERS,
+                           &config->of.lighting.layers, err);
+}
+
+static int has_layers(const tl_study_needs *needs, const tl_study_config *config)
+{
+    return needs->has_layers || config->of.lighting.layers == TL_MOST_LAYERS;
+}
+
 /* Those of highlights are for frames that have some; and some are not there in double. */
 static int fits_approximations(const tl_study_needs *needs, const tl_study_config *config)
 {
@@ -209,6 +223,19 @@ const tl_study_knob tl_study_knobs[TL_STUDY_KNOB_COUNT] = {
          .axis = -1,
          .set = set_samples,
          .fits = has_occlusion},
+    [TL_STUDY_KNOB_LAYERS] = {.name = "layers",
+                              .meaning = "of surfaces that blend, the nearest of each pixel",
+                              .trades =
+                                  "what is seen through more than so many of them for the "
+                                  "time of lighting it",
+                              .cause = TL_STUDY_APPROXIMATION,
+                              .usual = "all",
+                              .exact = "all",
+                              .alone = "0,1,2,4",
+                              .quick = "0,2",
+                              .axis = -1,
+                              .set = set_layers,
+                              .fits = has_layers},
     TL_KNOBS(APPROXIMATION)[TL_STUDY_KNOB_CULL] =
         {.name = "cull",
          .meaning = "which lights a tile computes",

@@ -51,6 +51,7 @@ typedef enum tl_study_knob_name {
     TL_STUDY_KNOB_CUTOFF,
     TL_STUDY_KNOB_FILTER,
     TL_STUDY_KNOB_OCCLUSION,
+    TL_STUDY_KNOB_LAYERS,
     TL_STUDY_KNOB_APPROXIMATIONS, /* one for each of kernels/knobs.h, from here on */
     TL_STUDY_KNOB_CULL = TL_STUDY_KNOB_APPROXIMATIONS + TL_KNOB_COUNT,
     TL_STUDY_KNOB_TILE,
@@ -74,6 +75,7 @@ typedef struct tl_study_needs {
     int has_endless;    /* some light has no range, and is no directional one */
     int has_highlights; /* some light and some material */
     int has_shadows;    /* maps of lights that cast some */
+    int has_layers;
     int has_occlusion; /* ambient light, and a radius within which surfaces keep it from others */
     int has_double;    /* the device can */
 } tl_study_needs;

@@ -14,7 +14,8 @@ enum {
     OPTION_MATERIALS,
     OPTION_SHADOWS,
     OPTION_SHADOW_MEMORY,
-    OPTION_SHADOW_NEAR
+    OPTION_SHADOW_NEAR,
+    OPTION_LAYERS
 };
 
 static const uint32_t anisotropies[] = {1, 2, 4, 8, TL_MAX_ANISOTROPY};
@@ -47,6 +48,10 @@ static error_t parse(int key, char *text, struct argp_state *state)
     case OPTION_SHADOW_NEAR:
         options->shadow_near = value_number(state, "--shadow-near", text, 1e-6, 1e6);
         return 0;
+    case OPTION_LAYERS:
+        options->layers = value_integer(state, "--layers", text, 0, TL_MOST_LAYERS);
+        options->without_layers = options->layers == 0;
+        return 0;
     case OPTION_VARIANT: options->variant = text; return 0;
     case OPTION_LAYOUT: options->layout = value_layout(state, "--layout", text); return 0;
     case OPTION_ANISOTROPY:
@@ -78,8 +83,14 @@ static const struct argp_option options_table[] = {
     {"shadow-memory", OPTION_SHADOW_MEMORY, "MB", 0,
      "That all shadow maps may take: beyond, the largest are made smaller (default 268)", 0},
     {"shadow-near", OPTION_SHADOW_NEAR, "METRES", 0,
-     "Surfaces nearer to a light than that cast no shadow of it: more than the size of lamps that stand "
+     "Surfaces nearer to a light than that cast no shadow of it: more than the size of lamps "
+     "that stand "
      "around their lights (default: a 100000th of the scene's extent)",
+     0},
+    {"layers", OPTION_LAYERS, "N", 0,
+     "Layers of surfaces that blend, the nearest N of each pixel, as far as there are any: 0 "
+     "to "
+     "64 (default 8); with 0 they are opaque where alpha is at least 0.5",
      0},
     {"time", OPTION_TIME, "SECONDS", 0,
      "The moment of an animation, at its end if it has ended before (default: the scene as "

@@ -7,6 +7,7 @@
 #include "job_light.h"
 #include "json_values.h"
 #include "kernel_options.h"
+#include "layers_options.h"
 #include "tilelight/layouts.h"
 #include "try.h"
 #include "values.h"
@@ -79,6 +80,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         state->child_inputs[1] = &options->lighting;
         state->child_inputs[2] = &options->import;
         state->child_inputs[3] = &options->report;
+        state->child_inputs[4] = &options->lighting.options;
         return 0;
     case OPTION_GBUFFER: options->gbuffer = text; return 0;
     case OPTION_FRAME: add_frame(options, text, state); return 0;
@@ -117,6 +119,7 @@ static const struct argp_child children[] = {
     {&lighting_argp, 0, "Lighting:", 2},
     {&import_argp, 0, "Captures of other programs (docs/file-formats.md):", 3},
     {&report_argp, 0, "Reports:", 4},
+    {&layers_argp, 0, NULL, 2},
     {0},
 };
 
@@ -191,6 +194,7 @@ static tl_status check_frame(tl_device *device,
     if (options->occlusion_samples)
         TRY(tl_check_occlusion(f->check, options->occlusion_samples, err));
     TRY(tl_check_allow(f->check, &options->approximations, err));
+    tl_check_layers(f->check, options->layers);
     forget_image(f->image);
     TRY(tl_lighting_create(device, &with_cutoff, &lighting, err));
     TRY(tl_lighting_run(lighting, frame->gbuffer, &frame->lights, f->image, NULL,

@@ -242,8 +242,8 @@ static bool is_on(const explained *e, int effect)
 /* What the effect is there for, or what it lacks. text: [MOST_TEXT]. */
 static void because(const job *j, const explained *e, int effect, char *text)
 {
-    const uint32_t causes = tl_effect_rows[effect].causes;
-    const uint32_t told = is_on(e, effect) ? causes : causes & ~(e->of.causes | e->of.assumed);
+    const uint64_t causes = tl_effect_rows[effect].causes;
+    const uint64_t told = is_on(e, effect) ? causes : causes & ~(e->of.causes | e->of.assumed);
     const char *before = "";
     text[0] = '\0';
     for (int c = 0; c < TL_CAUSE_COUNT; c++) {

@@ -22,22 +22,40 @@ done:
     return status;
 }
 
-static uint32_t pixels_of_tile(const job *j, const explained *e, uint32_t tile)
+/* Pixels of the picture. */
+typedef struct area {
+    uint32_t x, y, width, height;
+} area;
+
+static area area_of_tile(const job *j, const explained *e, uint32_t tile)
 {
     const tl_camera *camera = &j->gbuffer->camera;
     const uint32_t x = tile % e->tiles_x * e->tile_size, y = tile / e->tiles_x * e->tile_size;
-    const uint32_t width = camera->width - x < e->tile_size ? camera->width - x : e->tile_size;
-    const uint32_t height =
-        camera->height - y < e->tile_size ? camera->height - y : e->tile_size;
-    return width * height;
+    return (area){x, y, camera->width - x < e->tile_size ? camera->width - x : e->tile_size,
+                  camera->height - y < e->tile_size ? camera->height - y : e->tile_size};
 }
 
-/* Causes that are no light's and that a tile may have or lack: planes that say something there, whole sky. */
-static uint32_t causes_of_tile(const job *j, const explained *e, uint32_t tile, uint32_t planes)
+/* Whether a layer has a surface there: the nearest one has, where any has. */
+static bool shows_layer(const job *j, area of)
 {
-    static const uint32_t sky =
+    if (j->gbuffer->layers.count == 0)
+        return false;
+    const tl_gbuffer *nearest = j->gbuffer->layers.of[0];
+    for (uint32_t y = of.y; y < of.y + of.height; y++)
+        for (uint32_t x = of.x; x < of.x + of.width; x++)
+            if (nearest->opacity[(size_t)y * nearest->pitch + x] > 0.0f)
+                return true;
+    return false;
+}
+
+/* Causes that are no light's and that a tile may have or lack: planes that say something there, whole sky,
+ * layers. */
+static uint64_t causes_of_tile(const job *j, const explained *e, uint32_t tile, uint32_t planes)
+{
+    static const uint64_t sky =
         TL_BY(TL_CAUSE_SKY) | TL_BY(TL_CAUSE_SKY_GRADIENT) | TL_BY(TL_CAUSE_SKY_IMAGE);
-    uint32_t causes = e->of.causes | e->of.assumed;
+    const area of = area_of_tile(j, e, tile);
+    uint64_t causes = e->of.causes | e->of.assumed;
     if (!(planes & TL_GROUP_OCCLUSION))
         causes &= ~TL_BY(TL_CAUSE_OCCLUSION);
     if (!(planes & TL_GROUP_EMISSIVE))
@@ -45,9 +63,11 @@ static uint32_t causes_of_tile(const job *j, const explained *e, uint32_t tile, 
     if ((e->of.present & TL_GROUP_PHONG) && !(planes & TL_THREE(TL_SPECULAR_R)))
         causes &= ~TL_BY(TL_CAUSE_GLOSS);
     if (e->surfaces[tile] == 0)
-        causes &= sky;
-    if (e->surfaces[tile] == pixels_of_tile(j, e, tile))
+        causes &= sky | TL_BY(TL_CAUSE_BLENDED);
+    if (e->surfaces[tile] == of.width * of.height)
         causes &= ~sky;
+    if ((causes & TL_BY(TL_CAUSE_BLENDED)) && !shows_layer(j, of))
+        causes &= ~TL_BY(TL_CAUSE_BLENDED);
     return causes;
 }
 
@@ -64,7 +84,7 @@ static uint32_t effects_of_globals(const tl_effect_use *of_lights)
 /* Effects that no cause of lights is needed for. */
 static uint32_t effects_without_lights(void)
 {
-    return ~tl_effects_of_light(~0u, ~0u);
+    return ~tl_effects_of_light(~0ull, ~0ull);
 }
 
 static void count_tile(explained *e, uint32_t used)

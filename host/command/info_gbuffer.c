@@ -129,6 +129,25 @@ static json_t *shadows_json(const tl_shadow_maps *maps)
     return out;
 }
 
+static void print_layers(const tl_gbuffer *g)
+{
+    for (uint32_t i = 0; i < g->layers.count; i++)
+        printf("%-12s%-4u %.2f %% covered\n", i == 0 ? "layer" : "", i,
+               100.0 * tl_layer_coverage(g, i));
+    if (g->layers.left > 0)
+        printf("            more would change %.3g %% of the picture\n",
+               100.0 * tl_layers_left_share(g));
+}
+
+static json_t *layers_json(const tl_gbuffer *g)
+{
+    json_t *covered = json_array();
+    for (uint32_t i = 0; i < g->layers.count; i++)
+        json_array_append_new(covered, json_real(tl_layer_coverage(g, i)));
+    return json_pack("{so sI sf}", "coverage", covered, "left", (json_int_t)g->layers.left,
+                     "left_share", tl_layers_left_share(g));
+}
+
 static json_t *materials_json(const tl_material_names *names)
 {
     json_t *out = json_array();
@@ -153,6 +172,7 @@ void info_print_gbuffer(const info_gbuffer *of)
         info_print_values(planes[p].channel, &values);
     }
     print_materials(&of->file->materials);
+    print_layers(of->file);
     print_shadows(&of->file->shadows);
     if (of->has_lights)
         info_print_lights(of->lights);
@@ -201,12 +221,12 @@ json_t *info_gbuffer_json(const info_gbuffer *of)
         const info_values values = measure(g, p);
         json_object_set_new(measured, planes[p].channel, info_values_json(&values));
     }
-    return json_pack("{ss s[ii] si sf ss si so so so so so so}", "kind", "gbuffer", "size",
+    return json_pack("{ss s[ii] si sf ss si so so so so so so so}", "kind", "gbuffer", "size",
                      (int)g->camera.width, (int)g->camera.height, "samples", (int)g->samples,
                      "coverage", coverage(g), "layout", tl_layout_word(of->file->layout),
                      "bytes_per_pixel", (int)tl_gbuffer_pixel_size(of->file), "channels",
                      channels_json(of->file), "camera", camera_json(&g->camera), "planes",
-                     measured, "materials", materials_json(&of->file->materials), "shadows",
-                     shadows_json(&of->file->shadows), "lights",
-                     of->has_lights ? info_lights_json(of->lights) : json_null());
+                     measured, "materials", materials_json(&of->file->materials), "layers",
+                     layers_json(of->file), "shadows", shadows_json(&of->file->shadows),
+                     "lights", of->has_lights ? info_lights_json(of->lights) : json_null());
 }

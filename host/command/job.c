@@ -59,6 +59,15 @@ static uint32_t position_bytes(const tl_gbuffer *gbuffer)
     return tl_words_size(gbuffer->layout, words.positions);
 }
 
+/* How many there are, and what more of them would change. */
+static void report_layers(job *j)
+{
+    const tl_gbuffer *g = j->gbuffer;
+    job_report(j, "layers",
+               json_pack("{sI sI sf}", "count", (json_int_t)g->layers.count, "left",
+                         (json_int_t)g->layers.left, "left_share", tl_layers_left_share(g)));
+}
+
 tl_status job_repair(job *j, const char *name, bool strict, tl_error *err)
 {
     const double start = tl_seconds();
@@ -81,6 +90,7 @@ tl_status job_repair(job *j, const char *name, bool strict, tl_error *err)
     job_report(j, "pixel_bytes",
                json_pack("{sI sI}", "all", (json_int_t)tl_gbuffer_pixel_size(j->gbuffer),
                          "position", (json_int_t)position_bytes(j->gbuffer)));
+    report_layers(j);
     job_report(j, "repairs",
                json_pack("{sI sI sI}", "depth", (json_int_t)r->depth, "normal",
                          (json_int_t)r->normal, "value", (json_int_t)r->value));

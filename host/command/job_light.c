@@ -46,8 +46,19 @@ void job_choose_occlusion(job *j, const lighting_choice *choice)
         j->lights.occlusion_radius = (float)choice->occlusion_radius;
 }
 
+/* Where fewer layers are asked for, and there are none. */
+static void tell_layers(const job *j, const tl_lighting_options *options)
+{
+    if (options->layers < TL_MOST_LAYERS && j->gbuffer->layers.count == 0)
+        tl_notice(
+            &console_notices,
+            "--layers %u is for nothing: the capture has no layers of surfaces that blend",
+            options->layers);
+}
+
 static void report_counts(job *j, const tl_lighting_counts *c)
 {
+    job_report(j, "lit_layers", json_integer((json_int_t)c->layer_count));
     job_report(j, "lights",
                json_pack("{sI sI}", "ranged", (json_int_t)c->ranged_light_count, "global",
                          (json_int_t)c->global_light_count));
@@ -126,6 +137,7 @@ tl_status job_light(job *j,
     TRY(job_default_lights(j, err));
     job_choose_occlusion(j, choice);
     tell_model(j);
+    tell_layers(j, &options);
     TRY(tl_image_create(camera->width, camera->height, &j->image, err));
     if (goal)
         TRY(job_promise_light(j, goal, device, &options, &counts, &lighting, err));

@@ -3,6 +3,7 @@
 #include "console.h"
 #include "import_options.h"
 #include "job_light.h"
+#include "layers_options.h"
 #include "promise_options.h"
 #include "try.h"
 #include "values.h"
@@ -36,6 +37,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         state->child_inputs[3] = &options->report;
         state->child_inputs[4] = &options->explain;
         state->child_inputs[5] = &options->promise;
+        state->child_inputs[6] = &options->lighting.options;
         return 0;
     }
     if (key == ARGP_KEY_SUCCESS)
@@ -50,6 +52,7 @@ static const struct argp_child children[] = {
     {&report_argp, 0, "Reports:", 4},
     {&explain_argp, 0, "What the frame called for:", 5},
     {&promise_argp, 0, "What the picture keeps (docs/promise.md):", 6},
+    {&layers_argp, 0, NULL, 2},
     {0},
 };
 

@@ -1,15 +1,14 @@
 #include "tilelight/gbuffer_file.h"
 
 #include "gbuffer_header.h"
+#include "layer_parts.h"
 #include "material_attribute.h"
 #include "packing.h"
-#include "parallel.h"
 #include "shadow_parts.h"
 #include "try.h"
+#include "words_read.h"
 
-#include <stdatomic.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 static tl_status create(const tl_exr_reader *reader,
                         const tl_gbuffer_header *of,
@@ -31,79 +30,6 @@ static tl_status create(const tl_exr_reader *reader,
     }
     return tl_fail(err, status == TL_ERR_MEMORY ? status : TL_ERR_FORMAT, "%s: %.3000s",
                    reader->stream.path, reason.message);
-}
-
-/* Numbers of one channel that are several words. */
-typedef struct splitting {
-    const tl_word_channel *channel;
-    tl_word_planes planes;
-    const tl_gbuffer *gbuffer;
-    uint32_t *numbers;     /* [height][pitch] */
-    atomic_bool is_beyond; /* a number has more bits than its words */
-} splitting;
-
-static void split_rows(void *context, size_t begin, size_t end)
-{
-    splitting *s = context;
-    const tl_word_channel *c = s->channel;
-    for (size_t row = begin; row < end; row++)
-        for (size_t x = 0; x < s->gbuffer->camera.width; x++) {
-            const size_t at = row * s->gbuffer->pitch + x;
-            uint32_t rest = s->numbers[at];
-            if (c->bits < 32 && rest >> c->bits)
-                atomic_store(&s->is_beyond, true);
-            for (uint32_t w = c->first_word; w < c->first_word + c->word_count; w++) {
-                const uint32_t bits = 8 * s->planes.layout->words[w].bytes;
-                tl_word_put(&s->planes, w, at, rest);
-                rest = bits < 32 ? rest >> bits : 0;
-            }
-        }
-}
-
-static tl_status split(const tl_exr_reader *reader, splitting *s, tl_error *err)
-{
-    atomic_init(&s->is_beyond, false);
-    tl_parallel(s->gbuffer->camera.height, 16, split_rows, s);
-    if (atomic_load(&s->is_beyond))
-        return tl_fail(err, TL_ERR_FORMAT,
-                       "%s: channel \"%s\" has a number of more than %u bits",
-                       reader->stream.path, s->channel->name, s->channel->bits);
-    return TL_OK;
-}
-
-/* Channels that memory holds as the file does are read in place; others beside it, then split. */
-static tl_status read_words(tl_exr_reader *reader,
-                            const tl_gbuffer_header *of,
-                            tl_gbuffer *gbuffer,
-                            tl_error *err)
-{
-    tl_status status = TL_OK;
-    tl_exr_target targets[TL_MAX_WORDS];
-    splitting split_ones[TL_MAX_WORDS];
-    size_t split_count = 0;
-    for (size_t i = 0; i < of->channel_count; i++) {
-        const tl_word_channel *c = &of->channels[i];
-        targets[i] = (tl_exr_target){.channel = c->name, .held = (exr_pixel_type_t)c->held};
-        if (tl_word_is_whole(c)) {
-            targets[i].plane = tl_gbuffer_words(gbuffer, c->first_word);
-            continue;
-        }
-        splitting *s = &split_ones[split_count++];
-        *s =
-            (splitting){.channel = c, .planes = tl_word_planes_of(gbuffer), .gbuffer = gbuffer};
-        targets[i].plane = s->numbers =
-            malloc((size_t)gbuffer->pitch * gbuffer->camera.height * sizeof *s->numbers);
-        if (!s->numbers)
-            TRY(tl_fail(err, TL_ERR_MEMORY, "%s: out of memory for channel \"%s\"",
-                        reader->stream.path, c->name));
-    }
-    TRY(tl_exr_reader_pixels(reader, targets, of->channel_count, gbuffer->pitch, err));
-    for (size_t i = 0; i < split_count; i++)
-        TRY(split(reader, &split_ones[i], err));
-done:
-    while (split_count > 0)
-        free(split_ones[--split_count].numbers);
-    return status;
 }
 
 static tl_status read_lights(tl_exr_reader *reader, tl_light_set *lights, tl_error *err)
@@ -141,7 +67,8 @@ tl_status tl_gbuffer_read(
         TRY(read_lights(&reader, &brought, err));
     TRY(create(&reader, &promised, &made, err));
     TRY(tl_material_attribute_read(&reader, &made->materials, err));
-    TRY(read_words(&reader, &promised, made, err));
+    TRY(tl_words_read(&reader.part, &promised, made, err));
+    TRY(tl_layer_parts_read(&reader, &promised, made, err));
     TRY(tl_shadow_parts_read(&reader.stream, reader.part.file_size, &made->shadows, err));
 
     *out = made;

@@ -3,6 +3,7 @@
 #include "camera_attributes.h"
 #include "exr_writer.h"
 #include "gbuffer_preview.h"
+#include "layer_parts.h"
 #include "material_attribute.h"
 #include "plane_channels.h"
 #include "shadow_parts.h"
@@ -20,11 +21,14 @@ typedef struct joined {
     size_t count;
 } joined;
 
-/* What rows that are computed are computed from. */
+/* A surface as a part: what rows that are computed are computed from, and its channels. */
 typedef struct source {
     const tl_gbuffer *gbuffer;
     tl_unpacking unpacking;
     joined joined;
+    tl_word_channel words[TL_MAX_WORDS];
+    tl_exr_channel channels[TL_PREVIEW_COUNT + TL_MAX_WORDS + 1];
+    size_t channel_count;
 } source;
 
 /* The words of a channel as one number, the first in its lowest bits. */
@@ -84,6 +88,7 @@ static tl_status set_attributes(tl_exr_stream *stream,
             stream,
             exr_attr_set_int(context, 0, "tilelight:samples", (int32_t)gbuffer->samples), err));
     TRY(tl_material_attribute_write(stream, &gbuffer->materials, err));
+    TRY(tl_layer_counts_write(stream, &gbuffer->layers, err));
     TRY(tl_camera_attributes_write(stream, 0, &gbuffer->camera, err));
     if (lights) {
         TRY(tl_lights_format(lights, stream->path, &text, err));
@@ -95,33 +100,51 @@ done:
     return status;
 }
 
-/* `words` are kept by the channels. Returns how many there are. */
-static size_t list_channels(source *from,
-                            tl_word_channel words[TL_MAX_WORDS],
-                            tl_exr_channel channels[TL_PREVIEW_COUNT + TL_MAX_WORDS])
+static void list_words(source *from)
 {
-    static const char *const preview[TL_PREVIEW_COUNT] = {"R", "G", "B", "A"};
-    const tl_gbuffer *gbuffer = from->gbuffer;
-    const size_t word_count = tl_word_channels(gbuffer->layout, gbuffer->present, words);
-    size_t count = 0;
-    while (count < TL_PREVIEW_COUNT) {
-        channels[count] = (tl_exr_channel){
-            .name = preview[count], .type = EXR_PIXEL_HALF, .held = EXR_PIXEL_FLOAT};
-        count++;
-    }
+    const size_t word_count =
+        tl_word_channels(from->gbuffer->layout, from->gbuffer->present, from->words);
     for (size_t i = 0; i < word_count; i++) {
-        const exr_pixel_type_t type = (exr_pixel_type_t)words[i].type;
-        const bool whole = tl_word_is_whole(&words[i]);
+        const tl_word_channel *word = &from->words[i];
+        const bool whole = tl_word_is_whole(word);
         assert(whole || from->joined.count < TL_EXR_MAX_COMPUTED - TL_PREVIEW_COUNT);
         if (!whole)
-            from->joined.channels[from->joined.count++] = words[i];
-        channels[count++] = (tl_exr_channel){
-            .name = words[i].name,
-            .type = type,
-            .held = (exr_pixel_type_t)words[i].held,
-            .plane = whole ? tl_gbuffer_words(gbuffer, words[i].first_word) : NULL};
+            from->joined.channels[from->joined.count++] = *word;
+        from->channels[from->channel_count++] = (tl_exr_channel){
+            .name = word->name,
+            .type = (exr_pixel_type_t)word->type,
+            .held = (exr_pixel_type_t)word->held,
+            .plane = whole ? tl_gbuffer_words(from->gbuffer, word->first_word) : NULL};
     }
-    return count;
+}
+
+/* Which stays where it is. */
+static tl_exr_picture picture_of(const tl_gbuffer *gbuffer, source *from)
+{
+    static const char *const preview[TL_PREVIEW_COUNT] = {"R", "G", "B", "A"};
+    *from = (source){.gbuffer = gbuffer,
+                     .unpacking = tl_unpacking_of(gbuffer),
+                     .joined.planes = tl_word_planes_of(gbuffer)};
+    while (from->channel_count < TL_PREVIEW_COUNT) {
+        from->channels[from->channel_count] =
+            (tl_exr_channel){.name = preview[from->channel_count],
+                             .type = EXR_PIXEL_HALF,
+                             .held = EXR_PIXEL_FLOAT};
+        from->channel_count++;
+    }
+    list_words(from);
+    if (gbuffer->opacity)
+        from->channels[from->channel_count++] = (tl_exr_channel){.name = TL_OPACITY_CHANNEL,
+                                                                 .type = EXR_PIXEL_FLOAT,
+                                                                 .held = EXR_PIXEL_FLOAT,
+                                                                 .plane = gbuffer->opacity};
+    return (tl_exr_picture){.width = gbuffer->camera.width,
+                            .height = gbuffer->camera.height,
+                            .pitch = gbuffer->pitch,
+                            .channel_count = from->channel_count,
+                            .channels = from->channels,
+                            .compute = compute_rows,
+                            .context = from};
 }
 
 static const exr_compression_t compressions[TL_COMPRESSION_COUNT] = {
@@ -135,19 +158,53 @@ static const exr_compression_t compressions[TL_COMPRESSION_COUNT] = {
     [TL_COMPRESSION_B44A] = EXR_COMPRESSION_B44A,
 };
 
-static tl_status join_pictures(const tl_exr_picture *shown,
-                               const tl_shadow_pictures *shadows,
-                               const char *path,
-                               tl_exr_picture **out,
-                               tl_error *err)
+/* Everything that a file is written from. All zero is valid to clear. */
+typedef struct parts {
+    source *surfaces;           /* [1 + layers], owned */
+    tl_shadow_pictures shadows; /* owned */
+    tl_exr_picture *pictures;   /* [count], owned: the surface, shadow maps, layers */
+    uint32_t count;
+} parts;
+
+static void parts_clear(parts *p)
 {
-    *out = malloc((1 + (size_t)shadows->count) * sizeof **out);
-    if (!*out)
+    tl_shadow_pictures_clear(&p->shadows);
+    free(p->surfaces);
+    free(p->pictures);
+}
+
+static tl_status parts_begin(const tl_gbuffer *gbuffer,
+                             const char *path,
+                             parts *p,
+                             tl_error *err)
+{
+    const size_t layers = gbuffer->layers.count;
+    const size_t shadows = tl_shadow_part_count(&gbuffer->shadows);
+    p->surfaces = calloc(1 + layers, sizeof *p->surfaces);
+    p->pictures = calloc(1 + layers + shadows, sizeof *p->pictures);
+    if (!p->surfaces || !p->pictures)
         return tl_fail(err, TL_ERR_MEMORY, "%s: out of memory for its parts", path);
-    (*out)[0] = *shown;
-    for (uint32_t i = 0; i < shadows->count; i++)
-        (*out)[1 + i] = shadows->of[i];
+    p->pictures[p->count++] = picture_of(gbuffer, &p->surfaces[0]);
     return TL_OK;
+}
+
+static tl_status add_layers(tl_exr_writer *writer,
+                            const tl_layers *layers,
+                            exr_compression_t how,
+                            parts *p,
+                            tl_error *err)
+{
+    tl_status status = TL_OK;
+    for (uint32_t i = 0; i < layers->count; i++) {
+        const tl_camera *camera = &layers->of[i]->camera;
+        char name[32];
+        snprintf(name, sizeof name, "layer.%u", i);
+        TRY(tl_exr_writer_add(writer, name, camera->width, camera->height, how, err));
+        TRY(tl_layer_attribute_write(&writer->stream, (int)p->count, i, err));
+        p->pictures[p->count++] = picture_of(layers->of[i], &p->surfaces[1 + i]);
+    }
+done:
+    return status;
 }
 
 tl_status tl_gbuffer_write_compressed(const char *path,
@@ -158,35 +215,26 @@ tl_status tl_gbuffer_write_compressed(const char *path,
 {
     tl_status status = TL_OK;
     tl_exr_writer writer = {.stream.context = NULL};
-    tl_shadow_pictures shadows = {0};
-    tl_exr_picture *pictures = NULL;
-    tl_word_channel words[TL_MAX_WORDS];
-    tl_exr_channel channels[TL_PREVIEW_COUNT + TL_MAX_WORDS];
-    source from = {.gbuffer = gbuffer,
-                   .unpacking = tl_unpacking_of(gbuffer),
-                   .joined.planes = tl_word_planes_of(gbuffer)};
+    parts p = {.count = 0};
+    const tl_camera *camera = &gbuffer->camera;
     const exr_compression_t how = compressions[compression];
-    const tl_exr_picture shown = {.width = gbuffer->camera.width,
-                                  .height = gbuffer->camera.height,
-                                  .pitch = gbuffer->pitch,
-                                  .channel_count = list_channels(&from, words, channels),
-                                  .channels = channels,
-                                  .compute = compute_rows,
-                                  .context = &from};
+    const bool is_alone = gbuffer->shadows.count == 0 && gbuffer->layers.count == 0;
 
+    TRY(parts_begin(gbuffer, path, &p, err));
     TRY(tl_exr_writer_open(&writer, path, err));
     /* A part that is alone needs no name. */
-    TRY(tl_exr_writer_add(&writer, gbuffer->shadows.count > 0 ? "surface" : NULL, shown.width,
-                          shown.height, how, err));
+    TRY(tl_exr_writer_add(&writer, is_alone ? NULL : "surface", camera->width, camera->height,
+                          how, err));
     TRY(set_attributes(&writer.stream, gbuffer, lights, err));
-    TRY(tl_shadow_parts_add(&writer, &gbuffer->shadows, how, &shadows, err));
-    TRY(join_pictures(&shown, &shadows, path, &pictures, err));
-    TRY(tl_exr_writer_parts(&writer, pictures, 1 + (int)shadows.count, err));
+    TRY(tl_shadow_parts_add(&writer, &gbuffer->shadows, how, &p.shadows, err));
+    for (uint32_t i = 0; i < p.shadows.count; i++)
+        p.pictures[p.count++] = p.shadows.of[i];
+    TRY(add_layers(&writer, &gbuffer->layers, how, &p, err));
+    TRY(tl_exr_writer_parts(&writer, p.pictures, (int)p.count, err));
     TRY(tl_exr_writer_commit(&writer, err));
 done:
     tl_exr_writer_abandon(&writer);
-    tl_shadow_pictures_clear(&shadows);
-    free(pictures);
+    parts_clear(&p);
     return status;
 }
 

@@ -103,7 +103,8 @@ static tl_status check_what_occurs(const tl_gbuffer *gbuffer,
                                    const tl_brdf_table *table,
                                    tl_error *err)
 {
-    for (uint32_t i = gbuffer->materials.count + 1; i < TL_BRDF_COUNT; i++)
+    const uint32_t named = tl_gbuffer_owner(gbuffer)->materials.count;
+    for (uint32_t i = named + 1; i < TL_BRDF_COUNT; i++)
         if (table->occurs[i] && table->sources[i] < 0)
             return tl_fail(
                 err, TL_ERR_FORMAT,
@@ -130,7 +131,7 @@ tl_status tl_brdf_table_make(const tl_gbuffer *gbuffer,
             TRY(put_row(out, lights, row, lights->materials[row].index, err));
     for (size_t row = 0; row < lights->material_count; row++)
         if (lights->materials[row].material[0])
-            TRY(put_named(gbuffer, lights, row, out, err));
+            TRY(put_named(tl_gbuffer_owner(gbuffer), lights, row, out, err));
     find_what_occurs(gbuffer, out);
     if (out->models == 0) /* a frame of sky */
         out->models = 1u << lights->model;

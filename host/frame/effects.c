@@ -1,5 +1,7 @@
 #include "tilelight/effects.h"
 
+_Static_assert(TL_EFFECT_COUNT <= 32, "effects are bits of 32");
+
 const tl_effect_row tl_effect_rows[TL_EFFECT_COUNT] = {
 #define ROW(name, word, computes, causes, planes, option) \
     [name] = {word, computes, causes, planes, option},
@@ -13,9 +15,9 @@ const tl_cause_row tl_cause_rows[TL_CAUSE_COUNT] = {
 #undef ROW
 };
 
-static uint32_t causes_of_lights(void)
+static uint64_t causes_of_lights(void)
 {
-    uint32_t causes = 0;
+    uint64_t causes = 0;
     for (int i = 0; i < TL_CAUSE_COUNT; i++)
         if (tl_cause_rows[i].kind == TL_CAUSE_OF_LIGHTS)
             causes |= TL_BY(i);
@@ -23,9 +25,9 @@ static uint32_t causes_of_lights(void)
 }
 
 /* Without a cause of lights an effect is called for by no light. */
-uint32_t tl_effects_of_light(uint32_t all_causes, uint32_t light_causes)
+uint32_t tl_effects_of_light(uint64_t all_causes, uint64_t light_causes)
 {
-    const uint32_t of_lights = causes_of_lights();
+    const uint64_t of_lights = causes_of_lights();
     uint32_t effects = tl_effects_of((all_causes & ~of_lights) | light_causes);
     for (int i = 0; i < TL_EFFECT_COUNT; i++)
         if (!(tl_effect_rows[i].causes & of_lights))
@@ -38,8 +40,7 @@ bool tl_effect_is_by_tile(tl_effect effect)
     static const uint32_t by_tile = 1u << TL_EFFECT_RANGED | 1u << TL_EFFECT_SPOTS |
                                     1u << TL_EFFECT_SPECULAR | 1u << TL_EFFECT_TABLE |
                                     1u << TL_EFFECT_PROJECTED | 1u << TL_EFFECT_AROUND |
-                                    1u << TL_EFFECT_AMBIENT_LOBE |
-                                    1u << TL_EFFECT_SHADOWS;
+                                    1u << TL_EFFECT_AMBIENT_LOBE | 1u << TL_EFFECT_SHADOWS;
     return (by_tile >> effect & 1u) != 0;
 }
 
@@ -57,6 +58,7 @@ static const char *const bound_by[TL_EFFECT_COUNT] = {
     [TL_EFFECT_MODEL] = "another model would stand in for it",
     [TL_EFFECT_ONE_COLOR] = "two sums would stand in for one",
     [TL_EFFECT_SKY] = "black is a colour too",
+    [TL_EFFECT_TRANSLUCENCY] = "its layers are frames of their own; --layers lights fewer",
     [TL_EFFECT_PARALLEL] = "other rays would stand in for it",
 };
 
@@ -65,7 +67,7 @@ const char *tl_effect_bound(tl_effect effect)
     return bound_by[effect];
 }
 
-uint32_t tl_effects_of(uint32_t causes)
+uint32_t tl_effects_of(uint64_t causes)
 {
     uint32_t on = 0;
     for (int i = 0; i < TL_EFFECT_COUNT; i++)

@@ -162,7 +162,7 @@ static void add(const tl_gbuffer *gbuffer,
     const int is_idle = tl_light_is_idle(explanation, light, &v, &spot, source, global);
     if (is_idle && options->effects != TL_EFFECTS_ALL)
         return;
-    const uint32_t before = explanation->causes;
+    const uint64_t before = explanation->causes;
     explanation->causes = 0;
     tl_causes_of_light(explanation, light, &v, source, global);
     if (tl_shadow_of(gbuffer, light))
@@ -243,7 +243,9 @@ static tl_frame frame_of(const tl_gbuffer *gbuffer,
     frame.slack_y = gbuffer->slack_y;
     frame.exponent = lights->has_shininess ? lights->shininess : 0.0f;
     memcpy(frame.ambient, lights->ambient, sizeof frame.ambient);
-    memcpy(frame.sky, lights->sky, sizeof frame.sky);
+    frame.is_layer = gbuffer->opacity != NULL;
+    if (!frame.is_layer) /* behind a layer is no sky of its own */
+        memcpy(frame.sky, lights->sky, sizeof frame.sky);
     return frame;
 }
 
@@ -259,7 +261,7 @@ static tl_status reserve_lights(tl_prepared *prepared, size_t wanted, tl_error *
     if (!sources)
         return tl_fail(err, TL_ERR_MEMORY, "out of memory for %zu lights", count);
     prepared->sources = sources;
-    uint32_t *causes = realloc(prepared->light_causes, count * sizeof *causes);
+    uint64_t *causes = realloc(prepared->light_causes, count * sizeof *causes);
     if (!causes)
         return tl_fail(err, TL_ERR_MEMORY, "out of memory for %zu lights", count);
     prepared->light_causes = causes;
@@ -338,6 +340,8 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
     prepared->frame = frame_of(gbuffer, lights, options);
     prepared->rows = NULL;
     prepared->explanation = tl_causes_of_frame(gbuffer, lights, &table, options->effects);
+    if (options->layers > 0 && gbuffer->layers.count > 0)
+        prepared->explanation.causes |= TL_BY(TL_CAUSE_BLENDED);
     prepared->two_colored_count = 0;
     prepared->brightest_texel = 1.0f;
     prepared->brightness = 0.0;
@@ -351,7 +355,8 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
                       options->shadow_filter ? options->shadow_filter
                                              : TL_DEFAULT_SHADOW_FILTER,
                       prepared, err));
-    TRY(tl_sky_add(&gbuffer->camera, lights, prepared, err));
+    if (!gbuffer->opacity)
+        TRY(tl_sky_add(&gbuffer->camera, lights, prepared, err));
     prepared->may_be_cut =
         prepared->brightness * (double)prepared->brightest_texel * TL_MOST_OF_LIGHT >
         0.5 * (double)TL_MOST_FLOAT;

@@ -19,7 +19,7 @@ typedef struct tl_prepared {
     /* [frame.light_count], behind the lights in their memory; sections behind them */
     tl_view_spot *spots;
     uint32_t *sources;      /* [frame.light_count], of each its index in the light set; owned */
-    uint32_t *light_causes; /* [frame.light_count], of each the causes that it is; owned */
+    uint64_t *light_causes; /* [frame.light_count], of each the causes that it is; owned */
     size_t capacity;        /* lights that there is room for in all of these */
     size_t memory_size;     /* bytes at `lights` */
     size_t sections_size;   /* bytes of the sections behind the cones: sections.h */
@@ -47,6 +47,7 @@ typedef struct tl_prepare_options {
     tl_effects_mode effects;
     uint32_t shadow_filter; /* tl_lighting_options.shadow_filter; 0: TL_DEFAULT_SHADOW_FILTER */
     uint32_t occlusion_samples; /* tl_lighting_options.occlusion_samples; 0: the default */
+    uint32_t layers; /* of those of the frame, how many are lit, each prepared by itself */
 } tl_prepare_options;
 
 /* Fills *prepared, growing its lights where they do not fit; all zero is a valid start. Lights that add

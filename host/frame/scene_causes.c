@@ -9,9 +9,9 @@ static int is_lit_by(const float color[3])
     return color[0] > 0.0f || color[1] > 0.0f || color[2] > 0.0f;
 }
 
-static uint32_t causes_of_planes(uint32_t planes)
+static uint64_t causes_of_planes(uint32_t planes)
 {
-    uint32_t causes = 0;
+    uint64_t causes = 0;
     if (planes & TL_HAS(TL_SPECULAR_R))
         causes |= TL_BY(TL_CAUSE_GLOSS);
     if (planes & TL_GROUP_OCCLUSION)
@@ -24,16 +24,16 @@ static uint32_t causes_of_planes(uint32_t planes)
 }
 
 /* Metal-rough planes say something where they are neutral too: a smooth dielectric. */
-static uint32_t causes_of_material(uint32_t present)
+static uint64_t causes_of_material(uint32_t present)
 {
     return present & TL_GROUP_METAL_ROUGH ? TL_BY(TL_CAUSE_GLOSS) | TL_BY(TL_CAUSE_METAL_ROUGH)
                                           : 0;
 }
 
 /* Of the surfaces' models, and of rows that they have. */
-static uint32_t causes_of_rows(const tl_brdf_table *table)
+static uint64_t causes_of_rows(const tl_brdf_table *table)
 {
-    uint32_t causes = table->selects ? TL_BY(TL_CAUSE_ROWS) : 0;
+    uint64_t causes = table->selects ? TL_BY(TL_CAUSE_ROWS) : 0;
     for (tl_u32 model = 0; model < TL_MODEL_COUNT; model++) {
         if (!(table->models >> model & 1u))
             continue;
@@ -56,7 +56,7 @@ static uint32_t causes_of_rows(const tl_brdf_table *table)
 }
 
 /* One-colour is no effect to assume: it is another order of rounding. */
-static const uint32_t assumable =
+static const uint64_t assumable =
     TL_BY(TL_CAUSE_TABLE) | TL_BY(TL_CAUSE_PROJECTED) | TL_BY(TL_CAUSE_AROUND) |
     TL_BY(TL_CAUSE_AMBIENT_LOBE) | TL_BY(TL_CAUSE_SHADOW) | TL_BY(TL_CAUSE_DIRECTIONAL) |
     TL_BY(TL_CAUSE_INVERSE_SQUARE) | TL_BY(TL_CAUSE_LINEAR) | TL_BY(TL_CAUSE_LINEAR_FROM) |
@@ -80,9 +80,9 @@ tl_explanation tl_causes_of_frame(const tl_gbuffer *gbuffer,
     e.is_dark = gbuffer->is_dark && !table->selects;
     if (is_lit_by(lights->ambient) && !e.is_dark)
         e.causes |= TL_BY(TL_CAUSE_AMBIENT);
-    if (lights->occlusion_radius > 0.0f)
+    if (lights->occlusion_radius > 0.0f && !gbuffer->opacity)
         e.causes |= TL_BY(TL_CAUSE_RADIUS);
-    if (tl_light_set_has_sky(lights))
+    if (tl_light_set_has_sky(lights) && !gbuffer->opacity)
         e.causes |= TL_BY(sky_causes[lights->sky_type]);
     if (lights->has_shininess)
         e.causes |= TL_BY(TL_CAUSE_EXPONENT);
@@ -106,7 +106,7 @@ int tl_light_is_idle(tl_explanation *explanation,
                      uint32_t index,
                      int is_global)
 {
-    const uint32_t highlights = TL_BY(TL_CAUSE_GLOSS) | TL_BY(TL_CAUSE_SHINY);
+    const uint64_t highlights = TL_BY(TL_CAUSE_GLOSS) | TL_BY(TL_CAUSE_SHINY);
     const int has_gloss = (explanation->causes & highlights) == highlights;
     tl_idle_light why;
     const int has_ambient =
@@ -219,6 +219,34 @@ static tl_u32 shapes_of(const tl_explanation *e)
         taken_out |= e->without >> shapes[i].effect & 1u;
     }
     return on == 0 && taken_out ? TL_SHAPE_BARE : on;
+}
+
+/* Of a light set, what is there of each cause: once more where more lights do something. */
+static void join_lights(tl_some_lights *some, const tl_some_lights *more)
+{
+    if (more->count > some->count)
+        *some = *more;
+}
+
+/* Idle is a light that is so on every surface. */
+static void join_idle(tl_some_lights *some, const tl_some_lights *other)
+{
+    if (other->count < some->count)
+        *some = *other;
+}
+
+void tl_causes_of_layer(tl_explanation *e, const tl_explanation *layer)
+{
+    e->causes |= layer->causes;
+    e->assumed |= layer->assumed;
+    e->effects |= layer->effects;
+    e->neutral &= layer->neutral;
+    e->idle &= layer->idle;
+    e->is_dark &= layer->is_dark;
+    for (int i = 0; i < TL_CAUSE_COUNT; i++)
+        join_lights(&e->lights[i], &layer->lights[i]);
+    for (int i = 0; i < TL_IDLE_LIGHT_COUNT; i++)
+        join_idle(&e->idle_lights[i], &layer->idle_lights[i]);
 }
 
 void tl_needs_by_causes(tl_explanation *e, tl_needs *needs)

@@ -9,7 +9,8 @@
 
 const tl_shadow_map *tl_shadow_of(const tl_gbuffer *gbuffer, const tl_light *light)
 {
-    return light->casts_shadow ? tl_shadow_map_of(&gbuffer->shadows, light) : NULL;
+    return light->casts_shadow ? tl_shadow_map_of(&tl_gbuffer_owner(gbuffer)->shadows, light)
+                               : NULL;
 }
 
 /* --- what places of surfaces are off --------------------------------------------------------------- */

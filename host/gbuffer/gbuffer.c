@@ -116,8 +116,15 @@ void tl_gbuffer_destroy(tl_gbuffer *gbuffer)
         return;
     tl_material_names_clear(&gbuffer->materials);
     tl_shadow_maps_clear(&gbuffer->shadows);
+    tl_layers_clear(&gbuffer->layers);
+    free(gbuffer->opacity);
     free(gbuffer->planes);
     free(gbuffer);
+}
+
+const tl_gbuffer *tl_gbuffer_owner(const tl_gbuffer *gbuffer)
+{
+    return gbuffer->layer_of ? gbuffer->layer_of : gbuffer;
 }
 
 uint32_t tl_gbuffer_word_size(const tl_gbuffer *gbuffer, uint32_t index)

@@ -72,6 +72,48 @@ static void pack_rows(void *context, size_t begin, size_t end)
         atomic_fetch_add(&j->cut[p], cut[p]);
 }
 
+/* `made`, of the layout and planes of choice, becomes what `from` is; *sum is raised by what was lost and cut. */
+static tl_status pack_surface(const tl_gbuffer *from,
+                              bool to_phong,
+                              tl_gbuffer *made,
+                              tl_packing_report *sum,
+                              tl_error *err)
+{
+    tl_frame frame = {.tile_size = 0};
+    tl_repairs repairs = {0};
+    job j = {.from = from, .to = made, .to_phong = to_phong, .words = tl_word_planes_of(made)};
+    for (int p = 0; p < TL_PLANE_COUNT; p++)
+        j.planes[p] = tl_gbuffer_plane(from, (enum tl_plane)p);
+    j.packing = tl_packing_of(&made->camera, made->layout, made->present, &frame);
+    for (int p = 0; p < TL_PLANE_COUNT; p++)
+        atomic_init(&j.cut[p], 0);
+    tl_parallel(made->camera.height, 4, pack_rows, &j);
+    const tl_status status =
+        tl_gbuffer_repair(made, tl_layout_word(made->layout), false, &repairs, err);
+    sum->lost += repairs.depth;
+    for (int p = 0; p < TL_PLANE_COUNT; p++)
+        sum->cut[p] += atomic_load(&j.cut[p]);
+    return status;
+}
+
+static tl_status pack_layers(const tl_gbuffer *from,
+                             bool to_phong,
+                             tl_gbuffer *made,
+                             tl_packing_report *sum,
+                             tl_error *err)
+{
+    tl_status status = TL_OK;
+    made->layers.left = from->layers.left;
+    for (uint32_t i = 0; i < from->layers.count; i++) {
+        tl_gbuffer *layer = NULL;
+        TRY(tl_layers_add(made, &layer, err));
+        tl_layer_copy_opacity(from->layers.of[i], layer);
+        TRY(pack_surface(from->layers.of[i], to_phong, layer, sum, err));
+    }
+done:
+    return status;
+}
+
 static const uint32_t materials = TL_GROUP_PHONG | TL_GROUP_METAL_ROUGH;
 
 tl_status tl_gbuffer_pack(const tl_gbuffer *from,
@@ -86,11 +128,9 @@ tl_status tl_gbuffer_pack(const tl_gbuffer *from,
     const uint32_t offered =
         to_phong ? (from->present & ~materials) | TL_GROUP_PHONG : from->present;
     const uint32_t stored = tl_layout_planes_of(layout, offered);
+    tl_packing_report sum = {.dropped = offered & ~stored};
     tl_status status = TL_OK;
     tl_gbuffer *made = NULL;
-    tl_frame frame = {.tile_size = 0};
-    tl_repairs repairs = {0};
-    job j = {.from = from, .to_phong = to_phong};
 
     if ((from->present & TL_GROUP_PHONG) && !(can_hold & TL_GROUP_PHONG) &&
         (can_hold & TL_GROUP_METAL_ROUGH))
@@ -102,21 +142,10 @@ tl_status tl_gbuffer_pack(const tl_gbuffer *from,
     made->samples = from->samples;
     TRY(tl_material_names_copy(&from->materials, &made->materials, err));
     TRY(tl_shadow_maps_copy(&from->shadows, &made->shadows, err));
-    for (int p = 0; p < TL_PLANE_COUNT; p++)
-        j.planes[p] = tl_gbuffer_plane(from, (enum tl_plane)p);
-    j.to = made;
-    j.words = tl_word_planes_of(made);
-    j.packing = tl_packing_of(&made->camera, layout, made->present, &frame);
-    for (int p = 0; p < TL_PLANE_COUNT; p++)
-        atomic_init(&j.cut[p], 0);
-    tl_parallel(made->camera.height, 4, pack_rows, &j);
-    TRY(tl_gbuffer_repair(made, tl_layout_word(layout), false, &repairs, err));
-    if (report) {
-        report->dropped = offered & ~stored;
-        report->lost = repairs.depth;
-        for (int p = 0; p < TL_PLANE_COUNT; p++)
-            report->cut[p] = atomic_load(&j.cut[p]);
-    }
+    TRY(pack_surface(from, to_phong, made, &sum, err));
+    TRY(pack_layers(from, to_phong, made, &sum, err));
+    if (report)
+        *report = sum;
     *out = made;
     made = NULL;
 done:

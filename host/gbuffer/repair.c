@@ -4,18 +4,21 @@
 #include "parallel.h"
 #include "plane_values.h"
 
-static const char *const channels[TL_PLANE_COUNT] = {
+#include <stdio.h>
+
+static const char *const channels[TL_OPACITY_FAULT + 1] = {
 #define CHANNEL(name, channel, empty, meaning) [name] = channel,
     TL_PLANES(CHANNEL)
 #undef CHANNEL
+        [TL_OPACITY_FAULT] = "opacity",
 };
 
 /* What a layout packs together goes by one name. */
-static const char *const attributes[TL_PLANE_COUNT] = {
+static const char *const attributes[TL_OPACITY_FAULT + 1] = {
     [TL_DEPTH] = "depth",         [TL_NORMAL_X] = "normal",     [TL_ALBEDO_R] = "albedo",
     [TL_SPECULAR_R] = "specular", [TL_SHININESS] = "shininess", [TL_METALLIC] = "metallic",
     [TL_ROUGHNESS] = "roughness", [TL_OCCLUSION] = "ao",        [TL_EMISSIVE_R] = "emissive",
-    [TL_BRDF] = "brdf",           [TL_TANGENT_X] = "tangent",
+    [TL_BRDF] = "brdf",           [TL_TANGENT_X] = "tangent",   [TL_OPACITY_FAULT] = "opacity",
 };
 
 typedef struct scan {
@@ -187,7 +190,8 @@ static uint32_t neutral_planes(uint32_t present, uint32_t telling)
     return neutral;
 }
 
-tl_status tl_gbuffer_repair(
+/* Of one surface: layers are G-buffers of their own. */
+static tl_status repair_surface(
     tl_gbuffer *gbuffer, const char *name, bool strict, tl_repairs *out, tl_error *err)
 {
     tl_faults faults;
@@ -202,6 +206,8 @@ tl_status tl_gbuffer_repair(
         repair_float(gbuffer, &faults);
     else
         tl_repair_packed(gbuffer, &faults);
+    if (gbuffer->opacity)
+        tl_repair_opacity(gbuffer, &faults);
     gbuffer->neutral = neutral_planes(gbuffer->present, atomic_load(&faults.telling));
     gbuffer->is_dark = !(atomic_load(&faults.telling) & TL_REFLECTS);
     gbuffer->knows_indices = true;
@@ -210,8 +216,23 @@ tl_status tl_gbuffer_repair(
     const unsigned long long first = atomic_load(&faults.first);
     if (strict && first != ~0ull)
         return refuse(gbuffer, name, first, err);
-    if (out)
-        *out = (tl_repairs){atomic_load(&faults.depth), atomic_load(&faults.normal),
-                            atomic_load(&faults.value)};
+    out->depth += atomic_load(&faults.depth);
+    out->normal += atomic_load(&faults.normal);
+    out->value += atomic_load(&faults.value);
     return TL_OK;
+}
+
+tl_status tl_gbuffer_repair(
+    tl_gbuffer *gbuffer, const char *name, bool strict, tl_repairs *out, tl_error *err)
+{
+    tl_repairs sum = {0};
+    tl_status status = repair_surface(gbuffer, name, strict, &sum, err);
+    for (uint32_t i = 0; status == TL_OK && i < gbuffer->layers.count; i++) {
+        char layer[1024];
+        snprintf(layer, sizeof layer, "%.1000s: layer %u", name ? name : "", i);
+        status = repair_surface(gbuffer->layers.of[i], layer, strict, &sum, err);
+    }
+    if (status == TL_OK && out)
+        *out = sum;
+    return status;
 }

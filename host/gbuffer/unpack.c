@@ -92,20 +92,41 @@ static void unpack_rows(void *context, size_t begin, size_t end)
     }
 }
 
+static void unpack_surface(const tl_gbuffer *from, tl_gbuffer *to)
+{
+    job j = {.unpacking = tl_unpacking_of(from), .to = to};
+    to->knows_indices = from->knows_indices;
+    memcpy(to->indices, from->indices, sizeof from->indices);
+    tl_parallel(to->camera.height, 4, unpack_rows, &j);
+}
+
+static tl_status unpack_layers(const tl_gbuffer *from, tl_gbuffer *to, tl_error *err)
+{
+    tl_status status = TL_OK;
+    to->layers.left = from->layers.left;
+    for (uint32_t i = 0; i < from->layers.count; i++) {
+        tl_gbuffer *layer = NULL;
+        TRY(tl_layers_add(to, &layer, err));
+        tl_layer_copy_opacity(from->layers.of[i], layer);
+        unpack_surface(from->layers.of[i], layer);
+    }
+done:
+    return status;
+}
+
 tl_status tl_gbuffer_unpack(const tl_gbuffer *from, tl_gbuffer **out, tl_error *err)
 {
-    job j = {.unpacking = tl_unpacking_of(from)};
+    tl_gbuffer *made = NULL;
     tl_status status = TL_OK;
-    TRY(tl_gbuffer_create(&from->camera, from->present, &j.to, err));
-    j.to->samples = from->samples;
-    j.to->knows_indices = from->knows_indices;
-    memcpy(j.to->indices, from->indices, sizeof from->indices);
-    TRY(tl_material_names_copy(&from->materials, &j.to->materials, err));
-    TRY(tl_shadow_maps_copy(&from->shadows, &j.to->shadows, err));
-    tl_parallel(j.to->camera.height, 4, unpack_rows, &j);
-    *out = j.to;
-    j.to = NULL;
+    TRY(tl_gbuffer_create(&from->camera, from->present, &made, err));
+    made->samples = from->samples;
+    TRY(tl_material_names_copy(&from->materials, &made->materials, err));
+    TRY(tl_shadow_maps_copy(&from->shadows, &made->shadows, err));
+    unpack_surface(from, made);
+    TRY(unpack_layers(from, made, err));
+    *out = made;
+    made = NULL;
 done:
-    tl_gbuffer_destroy(j.to);
+    tl_gbuffer_destroy(made);
     return status;
 }

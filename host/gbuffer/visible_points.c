@@ -65,15 +65,15 @@ static void visit_pixel(const tl_unpacking *of,
     visit(context, at, fabs((double)of->frame.rays.dy) * (is_parallel ? 1.0 : depth));
 }
 
-void tl_visit_visible_points(const tl_gbuffer *gbuffer,
-                             const double rows[3][3],
-                             uint32_t step,
-                             tl_point_visitor visit,
-                             void *context)
+/* Of one surface. */
+static void visit_surface(const tl_gbuffer *gbuffer,
+                          const turned_camera *camera,
+                          uint32_t step,
+                          tl_point_visitor visit,
+                          void *context)
 {
     enum { SPAN = 256 };
     const tl_unpacking unpacking = tl_unpacking_of(gbuffer);
-    const turned_camera camera = turn(&gbuffer->camera, rows);
     const uint32_t width = gbuffer->camera.width;
     for (uint32_t row = 0; row < gbuffer->camera.height; row += step)
         for (uint32_t begin = 0; begin < width; begin += SPAN) {
@@ -82,9 +82,21 @@ void tl_visit_visible_points(const tl_gbuffer *gbuffer,
             float depths[SPAN], *to[TL_PLANE_COUNT] = {[TL_DEPTH] = depths};
             tl_unpack_span(&unpacking, row, begin, end, to);
             for (uint32_t x = first; x < end; x += step)
-                visit_pixel(&unpacking, &camera, x, row, (double)depths[x - begin], visit,
+                visit_pixel(&unpacking, camera, x, row, (double)depths[x - begin], visit,
                             context);
         }
+}
+
+void tl_visit_visible_points(const tl_gbuffer *gbuffer,
+                             const double rows[3][3],
+                             uint32_t step,
+                             tl_point_visitor visit,
+                             void *context)
+{
+    const turned_camera camera = turn(&gbuffer->camera, rows);
+    visit_surface(gbuffer, &camera, step, visit, context);
+    for (uint32_t i = 0; i < gbuffer->layers.count; i++)
+        visit_surface(gbuffer->layers.of[i], &camera, step, visit, context);
 }
 
 static void widen(void *context, const double at[3], double width)

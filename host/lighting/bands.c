@@ -17,10 +17,11 @@ static int has_whole_planes(const tl_pass_context *c)
     return c->device->shares_memory || c->prepared->needs.surroundings;
 }
 
-/* Of the words and the radiance. */
+/* Of the words and the radiance; of a layer its opacity and the picture behind it, too. */
 static uint64_t bytes_per_pixel(const tl_gbuffer *gbuffer)
 {
-    return tl_gbuffer_pixel_size(gbuffer) + 3 * sizeof(float);
+    const uint64_t of_layer = gbuffer->opacity ? 4 * sizeof(float) : 0;
+    return tl_gbuffer_pixel_size(gbuffer) + 3 * sizeof(float) + of_layer;
 }
 
 /* Bytes of the device's own memory per row of tiles, lists apart. */
@@ -52,6 +53,16 @@ static tl_status too_small(const tl_band_options *options, uint64_t needed, tl_e
                    "%llu bytes of device memory do not hold one row of tiles of this frame: it "
                    "takes about %llu; allow more (--memory) or use smaller tiles (--tile)",
                    (unsigned long long)options->memory_limit, (unsigned long long)needed);
+}
+
+/* Rows of tiles in which there is anything to light: of a layer those that show something. */
+static band lit_rows(const tl_pass_context *c, const tl_gbuffer *gbuffer)
+{
+    const uint32_t tile = c->prepared->frame.tile_size;
+    if (!gbuffer->opacity)
+        return (band){0, c->prepared->frame.tiles_y};
+    const uint32_t first = gbuffer->shown_from / tile;
+    return (band){first, (gbuffer->shown_to + tile - 1) / tile - first};
 }
 
 /* The rows of the largest band whose fixed part fits. */
@@ -131,6 +142,39 @@ done:
     return status;
 }
 
+/* What a layer is blended by, and over. */
+static tl_status upload_behind(tl_pass_context *c,
+                               const tl_gbuffer *layer,
+                               tl_image *image,
+                               tl_error *err)
+{
+    const size_t pixels = (size_t)layer->pitch * c->frame.rows,
+                 host_pixels = (size_t)layer->pitch * layer->rows;
+    const size_t first = (size_t)layer->pitch * c->frame.first_row;
+    tl_status status = TL_OK;
+    if (c->device->shares_memory) {
+        TRY(tl_buffers_share(c->buffers, c->device, TL_BUFFER_OPACITY, layer->opacity,
+                             host_pixels * sizeof(float), err));
+        TRY(tl_buffers_share(c->buffers, c->device, TL_BUFFER_BEHIND, image->planes,
+                             3 * host_pixels * sizeof(float), err));
+        goto done;
+    }
+    TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_OPACITY, pixels * sizeof(float),
+                           err));
+    TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_BEHIND, 3 * pixels * sizeof(float),
+                           err));
+    TRY(tl_buffers_write(c->buffers, c->device, TL_BUFFER_OPACITY, layer->opacity + first,
+                         pixels * sizeof(float), err));
+    for (unsigned color = 0; color < 3; color++)
+        TRY(tl_cl(clEnqueueWriteBuffer(c->device->queue,
+                                       c->buffers->of[TL_BUFFER_BEHIND].memory, CL_TRUE,
+                                       color * pixels * sizeof(float), pixels * sizeof(float),
+                                       tl_image_plane(image, color) + first, 0, NULL, NULL),
+                  "clEnqueueWriteBuffer", err));
+done:
+    return status;
+}
+
 static tl_status upload_lights(tl_pass_context *c, tl_error *err)
 {
     const size_t size = tl_prepared_lights_size(c->prepared);
@@ -142,25 +186,27 @@ static tl_status upload_lights(tl_pass_context *c, tl_error *err)
                            err);
 }
 
-/* Where memory is shared, mapping is how the host gets to see what the device wrote, once the queue
- * is empty. */
-static tl_status read_back(tl_pass_context *c, tl_image *image, tl_error *err)
+/* Of the buffer that holds the picture. Where memory is shared, mapping is how the host gets to see what the
+ * device wrote, once the queue is empty. */
+static tl_status read_back(tl_pass_context *c,
+                           tl_buffer_name from,
+                           tl_image *image,
+                           tl_error *err)
 {
     const size_t row = (size_t)image->pitch * sizeof(float), host_plane = row * image->rows;
     tl_status status = TL_OK;
     if (c->device->shares_memory) {
-        TRY(tl_buffers_touch(c->buffers, c->device, TL_BUFFER_RADIANCE, CL_MAP_READ,
-                             3 * host_plane, err));
+        TRY(tl_buffers_touch(c->buffers, c->device, from, CL_MAP_READ, 3 * host_plane, err));
         TRY(tl_pass_finish(c, err));
     } else {
         const size_t rows = (size_t)c->frame.tiles_y * c->frame.tile_size;
         const size_t origin[3] = {0, c->frame.buffer_row, 0},
                      host_origin[3] = {0, c->frame.first_row, 0};
         const size_t region[3] = {row, rows, 3};
-        TRY(tl_cl(clEnqueueReadBufferRect(c->device->queue,
-                                          c->buffers->of[TL_BUFFER_RADIANCE].memory, CL_TRUE,
-                                          origin, host_origin, region, row, row * c->frame.rows,
-                                          row, host_plane, image->planes, 0, NULL, NULL),
+        TRY(tl_cl(clEnqueueReadBufferRect(c->device->queue, c->buffers->of[from].memory,
+                                          CL_TRUE, origin, host_origin, region, row,
+                                          row * c->frame.rows, row, host_plane, image->planes,
+                                          0, NULL, NULL),
                   "clEnqueueReadBufferRect", err));
     }
 done:
@@ -235,6 +281,8 @@ static tl_status shade(tl_pass_context *c, tl_lighting_counts *counts, tl_error 
     const double clock = tl_seconds(), busy = tl_processor_seconds();
     tl_status status = TL_OK;
     TRY(tl_pass_shade(c, &counts->device_shade_ms, err));
+    if (c->programs[TL_PART_BLEND])
+        TRY(tl_pass_blend(c, &counts->device_shade_ms, err));
     TRY(tl_pass_finish(c, err));
     counts->shade_wall_ms += 1e3 * (tl_seconds() - clock);
     counts->shade_processor_ms += 1e3 * (tl_processor_seconds() - busy);
@@ -332,9 +380,12 @@ static tl_status light_band(tl_pass_context *c,
                             tl_error *err)
 {
     const uint64_t listed_before = counts->list_length;
+    const tl_buffer_name seen = gbuffer->opacity ? TL_BUFFER_BEHIND : TL_BUFFER_RADIANCE;
     tl_status status = TL_OK;
     double clock = tl_seconds();
-    TRY(upload(c, gbuffer, image, err));
+    TRY(upload(c, gbuffer, options->lit ? options->lit : image, err));
+    if (gbuffer->opacity)
+        TRY(upload_behind(c, gbuffer, image, err));
     clock = tl_timings_end(timings, "upload", clock);
     TRY(cull_band(c, options, gbuffer, counts, fitted, err));
     clock = tl_timings_end(timings, "cull", clock);
@@ -346,7 +397,7 @@ static tl_status light_band(tl_pass_context *c,
         clock = tl_seconds();
         TRY(shade(c, counts, err));
         clock = tl_timings_end(timings, "shade", clock);
-        TRY(read_back(c, image, err));
+        TRY(read_back(c, seen, image, err));
         tl_timings_end(timings, "readback", clock);
         counts->band_count++;
     }
@@ -364,15 +415,18 @@ tl_status tl_bands_light(tl_pass_context *c,
                          tl_lighting_counts *counts,
                          tl_error *err)
 {
-    const uint32_t tile_rows = c->prepared->frame.tiles_y;
+    const band lit = lit_rows(c, gbuffer);
+    const uint32_t end = lit.first + lit.count;
     tl_status status = TL_OK;
     uint32_t rows = 0;
-    band at = {0, 0};
+    band at = {lit.first, 0};
+    if (lit.count == 0)
+        return TL_OK;
     TRY(first_guess(c, options, gbuffer, &rows, err));
     TRY(upload_lights(c, err));
-    while (at.first < tile_rows) {
+    while (at.first < end) {
         int fitted = 0;
-        at.count = tile_rows - at.first < rows ? tile_rows - at.first : rows;
+        at.count = end - at.first < rows ? end - at.first : rows;
         aim_at(c, gbuffer, at);
         TRY(light_band(c, options, gbuffer, image, timings, counts, &fitted, err));
         if (fitted) {

@@ -18,12 +18,14 @@ typedef struct tl_band_options {
     int cull;                  /* 0: every tile lists every light */
     uint64_t memory_limit;     /* bytes of the device's own buffers; 0: what the device has */
     const tl_kept_lists *kept; /* NULL: nothing is */
+    /* Of a layer, on devices that share memory: where its own radiance goes, of the image's size */
+    tl_image *lit;
 } tl_band_options;
 
 /* Whether tiles are to have lists of their own: of what all share there may be nothing to cull. */
 int tl_bands_cull(const tl_prepared *prepared, const tl_band_options *options);
 
-/* Lights the frame of context->prepared into the image; context->frame is its own. *counts gets
+/* Lights the frame of context->prepared into the image; a layer, over what the image has. context->frame is its own. *counts gets
  * list_length, band_count, device_bytes and the device's times. Fails with TL_ERR_ARGUMENT when one
  * row of tiles is beyond the limit, TL_ERR_DEVICE or TL_ERR_MEMORY. */
 tl_status tl_bands_light(tl_pass_context *context,

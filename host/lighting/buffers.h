@@ -19,7 +19,9 @@
     X(TL_BUFFER_LIST, "[list_length] uint")                                 \
     X(TL_BUFFER_PLANES, "[plane_count][rows][pitch] float, the G-buffer's") \
     X(TL_BUFFER_RADIANCE, "[3][rows][pitch] float, the image's")            \
-    X(TL_BUFFER_TIMES, "[tiles_y * tiles_x][2] ulong")
+    X(TL_BUFFER_TIMES, "[tiles_y * tiles_x][2] ulong")                      \
+    X(TL_BUFFER_OPACITY, "[rows][pitch] float, the layer's")                \
+    X(TL_BUFFER_BEHIND, "[3][rows][pitch] float, the image's; RADIANCE is a layer's then")
 
 typedef enum tl_buffer_name {
 #define TL_BUFFER_NAME(name, shape) name,

@@ -81,6 +81,7 @@ static const char *text_of(const tl_program *made)
         [TL_PART_CULL] = tl_cull_kernels,
         [TL_PART_OCCLUDE] = tl_occlude_kernels,
         [TL_PART_SHADE] = tl_shade_kernels,
+        [TL_PART_BLEND] = tl_blend_kernel,
     };
     return made->user.text ? made->user.text : texts[made->part];
 }
@@ -285,6 +286,9 @@ static tl_kernel_options options_of(tl_program_part part, const tl_kernel_option
         return *o;
     if (part == TL_PART_OCCLUDE)
         return options_to_occlude(o);
+    if (part == TL_PART_BLEND)
+        return (tl_kernel_options){
+            .width = o->width, .by_pixel = o->by_pixel, .real_double = o->real_double};
     return (tl_kernel_options){.width = o->width,
                                .by_pixel = o->by_pixel,
                                .real_double = o->real_double,

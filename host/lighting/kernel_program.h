@@ -28,6 +28,7 @@ typedef enum tl_program_part {
     TL_PART_CULL,
     TL_PART_OCCLUDE,
     TL_PART_SHADE,
+    TL_PART_BLEND, /* of layers alone */
     TL_PART_COUNT
 } tl_program_part;
 
@@ -43,7 +44,8 @@ typedef enum tl_program_part {
     X(occlude, TL_PART_OCCLUDE, 1)                  \
     X(smooth_surroundings, TL_PART_OCCLUDE, 1)      \
     X(shade_tiles, TL_PART_SHADE, 1)                \
-    X(shade_pixels, TL_PART_SHADE, options->by_pixel)
+    X(shade_pixels, TL_PART_SHADE, options->by_pixel) \
+    X(blend_layer, TL_PART_BLEND, 1)
 
 typedef struct tl_program {
     tl_program_part part;

@@ -30,8 +30,10 @@ static const uint32_t box_counts[TL_CULL_COUNT] = {
 
 tl_lighting_options tl_lighting_options_default(void)
 {
-    return (tl_lighting_options){
-        .cull = TL_CULL_SPLIT, .precision = TL_PRECISION_FLOAT, .tile_size = 16};
+    return (tl_lighting_options){.cull = TL_CULL_SPLIT,
+                                 .precision = TL_PRECISION_FLOAT,
+                                 .tile_size = 16,
+                                 .layers = TL_MOST_LAYERS};
 }
 
 /* Whether a work-item shades a pixel. */
@@ -100,6 +102,9 @@ static tl_status check_options(const tl_device *device,
         return tl_fail(err, TL_ERR_ARGUMENT,
                        "%u samples of ambient occlusion: it must be a power of 2 from 8 to 256",
                        options->occlusion_samples);
+    if (options->layers > TL_MOST_LAYERS)
+        return tl_fail(err, TL_ERR_ARGUMENT, "%u layers: %d at most", options->layers,
+                       TL_MOST_LAYERS);
     if (!(options->light_cutoff >= 0.0f && options->light_cutoff < INFINITY))
         return tl_fail(err, TL_ERR_ARGUMENT, "a light cutoff of %g lx: it must be 0 or above",
                        (double)options->light_cutoff);
@@ -141,6 +146,7 @@ void tl_lighting_destroy(tl_lighting *lighting)
 {
     if (!lighting)
         return;
+    tl_lighting_layers_clear(lighting);
     tl_buffers_release(&lighting->buffers);
     tl_gbuffer_destroy(lighting->unpacked);
     tl_prepared_clear(&lighting->prepared);
@@ -211,16 +217,19 @@ static tl_arithmetic arithmetic_of(const tl_lighting_options *options)
 
 static int is_needed(tl_program_part part,
                      const tl_prepared *prepared,
+                     const tl_gbuffer *gbuffer,
                      const tl_band_options *bands)
 {
     return part == TL_PART_CULL      ? tl_bands_cull(prepared, bands)
            : part == TL_PART_OCCLUDE ? (int)prepared->needs.surroundings
+           : part == TL_PART_BLEND   ? gbuffer->opacity != NULL
                                      : 1;
 }
 
 static tl_status run_on_device(tl_lighting *lighting,
                                const tl_gbuffer *gbuffer,
                                tl_image *image,
+                               tl_image *lit,
                                tl_timings *timings,
                                tl_lighting_counts *counts,
                                tl_error *err)
@@ -233,7 +242,8 @@ static tl_status run_on_device(tl_lighting *lighting,
                                 .light_effects = lighting->light_effects};
     const tl_band_options bands = {.cull = options->cull != TL_CULL_NONE,
                                    .memory_limit = options->memory_limit,
-                                   .kept = options->keeps_tile_lights ? &kept : NULL};
+                                   .kept = options->keeps_tile_lights ? &kept : NULL,
+                                   .lit = lit};
     tl_status status = TL_OK;
     tl_pass_context context = {.device = lighting->device,
                                .buffers = &lighting->buffers,
@@ -242,7 +252,7 @@ static tl_status run_on_device(tl_lighting *lighting,
                                .by_pixel = (int)kernels.by_pixel};
     const double clock = tl_seconds();
     for (tl_program_part part = 0; part < TL_PART_COUNT; part++)
-        if (is_needed(part, &lighting->prepared, &bands))
+        if (is_needed(part, &lighting->prepared, gbuffer, &bands))
             TRY(tl_program_find(lighting->device, part, &kernels, &options->kernel,
                                 &context.programs[part], err));
     tl_timings_end(timings, "compile", clock);
@@ -254,7 +264,7 @@ done:
 
 void tl_lighting_explain(const tl_lighting *lighting, tl_explanation *out)
 {
-    *out = lighting->prepared.explanation;
+    *out = lighting->explanation;
 }
 
 const uint32_t *tl_lighting_tile_lights(const tl_lighting *lighting)
@@ -400,6 +410,46 @@ static uint64_t count_cut(const tl_prepared *prepared,
     return count;
 }
 
+tl_status tl_lighting_surface(tl_lighting *lighting,
+                              const tl_gbuffer *gbuffer,
+                              const tl_light_set *lights,
+                              tl_image *image,
+                              tl_image *lit,
+                              tl_timings *timings,
+                              const tl_notices *notices,
+                              tl_lighting_counts *counts,
+                              tl_error *err)
+{
+    const tl_lighting_options *options = &lighting->options;
+    tl_status status = TL_OK;
+    double clock = tl_seconds();
+    TRY(tl_prepare(gbuffer, lights,
+                   &(tl_prepare_options){.tile_size = options->tile_size,
+                                         .box_count = box_counts[options->cull],
+                                         .light_cutoff = options->light_cutoff,
+                                         .effects = options->effects,
+                                         .shadow_filter = options->shadow_filter,
+                                         .occlusion_samples = options->occlusion_samples,
+                                         .layers = options->layers},
+                   notices, &lighting->prepared, err));
+    lighting->prepared.approximations = options->approximations;
+    lighting->explanation = lighting->prepared.explanation;
+    clock = tl_timings_end(timings, "prepare", clock);
+    *counts = counts_of(&lighting->prepared);
+    TRY(keep_tiles(lighting, counts, err));
+    if (tl_lighting_is_on_host(lighting)) {
+        tl_reference_light(&lighting->prepared, gbuffer, arithmetic_of(options), image);
+        tl_timings_end(timings, "shade", clock);
+        counts->list_length = (uint64_t)counts->ranged_light_count * counts->tile_count;
+    } else {
+        TRY(run_on_device(lighting, gbuffer, image, lit, timings, counts, err));
+    }
+    counts->pair_count = counts->list_length * options->tile_size * options->tile_size;
+    counts->cut_count = count_cut(&lighting->prepared, image, notices);
+done:
+    return status;
+}
+
 tl_status tl_lighting_run(tl_lighting *lighting,
                           const tl_gbuffer *gbuffer,
                           const tl_light_set *lights,
@@ -409,7 +459,6 @@ tl_status tl_lighting_run(tl_lighting *lighting,
                           tl_lighting_counts *counts,
                           tl_error *err)
 {
-    const tl_lighting_options *options = &lighting->options;
     tl_status status = TL_OK;
     tl_lighting_counts frame_counts;
     tl_gbuffer *before = NULL;
@@ -420,30 +469,9 @@ tl_status tl_lighting_run(tl_lighting *lighting,
             "the image is %u x %u pixels, the G-buffer %u x %u: they must be of one size",
             image->width, image->height, gbuffer->camera.width, gbuffer->camera.height));
     TRY(unpack_for_user(lighting, &gbuffer, &before, timings, err));
-    double clock = tl_seconds();
-    TRY(tl_prepare(gbuffer, lights,
-                   &(tl_prepare_options){.tile_size = options->tile_size,
-                                         .box_count = box_counts[options->cull],
-                                         .light_cutoff = options->light_cutoff,
-                                         .effects = options->effects,
-                                         .shadow_filter = options->shadow_filter,
-                                         .occlusion_samples = options->occlusion_samples},
-                   notices, &lighting->prepared, err));
-    lighting->prepared.approximations = options->approximations;
-    clock = tl_timings_end(timings, "prepare", clock);
-    frame_counts = counts_of(&lighting->prepared);
-    TRY(keep_tiles(lighting, &frame_counts, err));
-    if (tl_lighting_is_on_host(lighting)) {
-        tl_reference_light(&lighting->prepared, gbuffer, arithmetic_of(options), image);
-        tl_timings_end(timings, "shade", clock);
-        frame_counts.list_length =
-            (uint64_t)frame_counts.ranged_light_count * frame_counts.tile_count;
-    } else {
-        TRY(run_on_device(lighting, gbuffer, image, timings, &frame_counts, err));
-    }
-    frame_counts.pair_count =
-        frame_counts.list_length * options->tile_size * options->tile_size;
-    frame_counts.cut_count = count_cut(&lighting->prepared, image, notices);
+    TRY(tl_lighting_surface(lighting, gbuffer, lights, image, NULL, timings, notices,
+                            &frame_counts, err));
+    TRY(tl_lighting_layers(lighting, gbuffer, lights, image, timings, &frame_counts, err));
     lighting->counts = frame_counts;
     if (counts)
         *counts = frame_counts;

@@ -89,6 +89,20 @@ tl_status tl_pass_shade(tl_pass_context *c, double *ms, tl_error *err)
                      size, ms, err);
 }
 
+/* A group is a part of a row in every width: rows are padded to 64 pixels, bands to 8 rows. */
+tl_status tl_pass_blend(tl_pass_context *c, double *ms, tl_error *err)
+{
+    enum { ITEMS_OF_GROUP = 32 };
+    static const tl_buffer_name arguments[] = {TL_BUFFER_OPACITY, TL_BUFFER_RADIANCE,
+                                               TL_BUFFER_BEHIND};
+    const tl_program *program = c->programs[TL_PART_BLEND];
+    const size_t rows = (size_t)c->frame.tiles_y * c->frame.tile_size;
+    const size_t items = rows * c->frame.pitch / program->options.width;
+    return tl_launch(c, TL_PART_BLEND, program->blend_layer, "blend_layer", arguments,
+                     sizeof arguments / sizeof arguments[0], (tl_work){items, ITEMS_OF_GROUP},
+                     ms, err);
+}
+
 tl_status tl_pass_finish(tl_pass_context *c, tl_error *err)
 {
     const tl_status status = tl_cl(clFinish(c->device->queue), "clFinish", err);

@@ -65,6 +65,9 @@ tl_status tl_pass_occlude(tl_pass_context *context, double *ms, tl_error *err);
 /* Writes TL_BUFFER_RADIANCE, and TL_BUFFER_TIMES where the program is a timed one. */
 tl_status tl_pass_shade(tl_pass_context *context, double *ms, tl_error *err);
 
+/* TL_BUFFER_BEHIND becomes what is seen through a layer: TL_BUFFER_RADIANCE by TL_BUFFER_OPACITY over it. */
+tl_status tl_pass_blend(tl_pass_context *context, double *ms, tl_error *err);
+
 /* Waits for the device, adds up the times of what was launched, and forgets the launches. To be
  * called whether or not a pass failed. */
 tl_status tl_pass_finish(tl_pass_context *context, tl_error *err);

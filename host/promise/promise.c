@@ -150,6 +150,13 @@ tl_status tl_promise_light(const tl_asked *asked,
              .notices = notices,
              .counts = counts,
              .kept = out};
+    if (asked->gbuffer->layers.count > 0 && asked->base.layers > 0)
+        TRY(tl_fail(
+            err, TL_ERR_UNSUPPORTED,
+            "nothing is promised of pictures through layers of surfaces that blend, and "
+            "this capture has %u: light it without a promise, or capture it with "
+            "--layers 0",
+            asked->gbuffer->layers.count));
     *out =
         (tl_kept){.of = (uint64_t)asked->gbuffer->camera.width * asked->gbuffer->camera.height};
     TRY(tl_prepare(asked->gbuffer, asked->lights, &plain, NULL, &w.prepared, err));

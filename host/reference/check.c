@@ -1,6 +1,6 @@
 #include "tilelight/check.h"
 
-#include "allowance.h"
+#include "allowance_blend.h"
 #include "parallel.h"
 #include "surround.h"
 #include "tilelight/layouts.h"
@@ -9,27 +9,53 @@
 #include <math.h>
 #include <stdlib.h>
 
-struct tl_check {
+/* What a picture shows: the surfaces of a G-buffer, or a layer of it. */
+typedef struct checked_surface {
     const tl_gbuffer *gbuffer; /* in full float */
-    tl_gbuffer *unpacked;      /* that, where it had to be made; or NULL */
+    tl_prepared prepared;
+    float *planes[TL_PLANE_COUNT]; /* the G-buffer's */
+} checked_surface;
+
+struct tl_check {
+    tl_gbuffer *unpacked; /* the G-buffer in full float, where it had to be made; or NULL */
+    checked_surface surface;
+    checked_surface *layers; /* [layer_count], nearest first; owned */
+    uint32_t layer_count, lit_layers;
     const tl_light_set *lights;
     float light_cutoff;
     uint32_t occlusion_samples; /* 0: the default */
-    tl_prepared prepared;
     tl_cosine cosine;
-    float *planes[TL_PLANE_COUNT]; /* the G-buffer's */
 };
 
-static tl_status prepare(tl_check *check, tl_error *err)
+static tl_status prepare(const tl_check *check,
+                         const tl_gbuffer *gbuffer,
+                         checked_surface *out,
+                         tl_error *err)
 {
     enum { ANY_TILE = 16 }; /* there are no tiles here */
     const tl_prepare_options options = {.tile_size = ANY_TILE,
                                         .light_cutoff = check->light_cutoff,
                                         .occlusion_samples = check->occlusion_samples};
+    out->gbuffer = gbuffer;
+    for (int p = 0; p < TL_PLANE_COUNT; p++)
+        out->planes[p] = tl_gbuffer_plane(gbuffer, (enum tl_plane)p);
     const tl_status status =
-        tl_prepare(check->gbuffer, check->lights, &options, NULL, &check->prepared, err);
+        tl_prepare(gbuffer, check->lights, &options, NULL, &out->prepared, err);
     if (status == TL_OK)
-        tl_reference_surround(&check->prepared, check->gbuffer, TL_TWIN_FLOAT);
+        tl_reference_surround(&out->prepared, gbuffer, TL_TWIN_FLOAT);
+    return status;
+}
+
+static tl_status prepare_layers(const tl_layers *layers, tl_check *made, tl_error *err)
+{
+    tl_status status = TL_OK;
+    made->layers = calloc(layers->count + 1, sizeof *made->layers);
+    if (!made->layers)
+        TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for a check"));
+    made->layer_count = made->lit_layers = layers->count;
+    for (uint32_t i = 0; i < layers->count; i++)
+        TRY(prepare(made, layers->of[i], &made->layers[i], err));
+done:
     return status;
 }
 
@@ -46,13 +72,12 @@ tl_status tl_check_create(const tl_gbuffer *gbuffer,
         TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for a check"));
     if (gbuffer->layout != TL_LAYOUT_FLOAT)
         TRY(tl_gbuffer_unpack(gbuffer, &made->unpacked, err));
-    made->gbuffer = made->unpacked ? made->unpacked : gbuffer;
+    const tl_gbuffer *in_float = made->unpacked ? made->unpacked : gbuffer;
     made->cosine = cosine;
-    for (int p = 0; p < TL_PLANE_COUNT; p++)
-        made->planes[p] = tl_gbuffer_plane(made->gbuffer, (enum tl_plane)p);
     made->lights = lights;
     made->light_cutoff = light_cutoff;
-    TRY(prepare(made, err));
+    TRY(prepare(made, in_float, &made->surface, err));
+    TRY(prepare_layers(&in_float->layers, made, err));
     *out = made;
     made = NULL;
 done:
@@ -64,7 +89,10 @@ void tl_check_destroy(tl_check *check)
 {
     if (!check)
         return;
-    tl_prepared_clear(&check->prepared);
+    for (uint32_t i = 0; i < check->layer_count; i++)
+        tl_prepared_clear(&check->layers[i].prepared);
+    free(check->layers);
+    tl_prepared_clear(&check->surface.prepared);
     tl_gbuffer_destroy(check->unpacked);
     free(check);
 }
@@ -80,7 +108,9 @@ tl_status tl_check_allow(tl_check *check, const tl_approximations *of, tl_error 
                     "%s: nobody says how far it may be off, so a picture cannot be checked "
                     "for it; `tilelight compare' says how far it is",
                     lacking));
-    check->prepared.approximations = *of;
+    check->surface.prepared.approximations = *of;
+    for (uint32_t i = 0; i < check->layer_count; i++)
+        check->layers[i].prepared.approximations = *of;
     if (of->of[TL_KNOB_FORM] == TL_FORM_TEXTBOOK)
         check->cosine = TL_COSINE_TEXTBOOK;
 done:
@@ -89,11 +119,35 @@ done:
 
 tl_status tl_check_occlusion(tl_check *check, uint32_t samples, tl_error *err)
 {
-    const tl_approximations of = check->prepared.approximations;
+    const tl_approximations of = check->surface.prepared.approximations;
     check->occlusion_samples = samples;
-    const tl_status status = prepare(check, err);
-    check->prepared.approximations = of;
+    const tl_status status = prepare(check, check->surface.gbuffer, &check->surface, err);
+    check->surface.prepared.approximations = of;
     return status;
+}
+
+void tl_check_layers(tl_check *check, uint32_t most)
+{
+    check->lit_layers = most < check->layer_count ? most : check->layer_count;
+}
+
+/* What is seen through the layers. */
+static tl_allowance allowance_at(const tl_check *check,
+                                 uint32_t x,
+                                 uint32_t y,
+                                 tl_cosine cosine)
+{
+    tl_allowance seen =
+        tl_allowance_of(&check->surface.prepared, check->surface.planes, x, y, cosine);
+    for (uint32_t i = check->lit_layers; i-- > 0;) {
+        const checked_surface *layer = &check->layers[i];
+        const float opacity = layer->gbuffer->opacity[(size_t)y * layer->gbuffer->pitch + x];
+        if (!(opacity > 0.0f))
+            continue;
+        const tl_allowance lit = tl_allowance_of(&layer->prepared, layer->planes, x, y, cosine);
+        seen = tl_allowance_blended(opacity, &lit, &seen);
+    }
+    return seen;
 }
 
 /* 0 / 0 is 0: what may not be off, and is not. */
@@ -123,9 +177,7 @@ static size_t offset_of(const tl_image *image, uint32_t x, uint32_t y)
 
 static int is_excused(const picture *p, uint32_t x, uint32_t y)
 {
-    const tl_check *check = p->check;
-    const tl_allowance a =
-        tl_allowance_of(&check->prepared, check->planes, x, y, TL_COSINE_TEXTBOOK);
+    const tl_allowance a = allowance_at(p->check, x, y, TL_COSINE_TEXTBOOK);
     for (unsigned c = 0; c < 3; c++) {
         const float got = tl_image_plane(p->image, c)[offset_of(p->image, x, y)];
         if (!(ratio_of(got, a.expected[c], a.low[c], a.high[c]) <= 1.0))
@@ -138,8 +190,7 @@ static void check_pixel(const picture *p, uint32_t x, uint32_t y, tl_check_repor
 {
     const tl_check *check = p->check;
     const size_t at = offset_of(p->image, x, y);
-    const tl_allowance a =
-        tl_allowance_of(&check->prepared, check->planes, x, y, check->cosine);
+    const tl_allowance a = allowance_at(check, x, y, check->cosine);
     int failed = 0, not_finite = 0;
     for (unsigned c = 0; c < 3; c++) {
         const float got = tl_image_plane(p->image, c)[at];
@@ -197,7 +248,7 @@ tl_status tl_check_image(const tl_check *check,
                          tl_check_report *out,
                          tl_error *err)
 {
-    const tl_camera *camera = &check->gbuffer->camera;
+    const tl_camera *camera = &check->surface.gbuffer->camera;
     tl_status status = TL_OK;
     tl_check_report sum = {0};
     picture p = {check, image, ratios, NULL};
@@ -225,16 +276,16 @@ void tl_check_lights(const tl_check *check,
                      size_t capacity,
                      size_t *count)
 {
+    const checked_surface *of = &check->surface;
     *count = 0;
-    for (uint32_t i = 0; i < check->prepared.frame.light_count; i++) {
+    for (uint32_t i = 0; i < of->prepared.frame.light_count; i++) {
         tl_light_share share;
-        if (!tl_allowance_share(&check->prepared, check->planes, x, y, i, check->cosine,
-                                &share))
+        if (!tl_allowance_share(&of->prepared, of->planes, x, y, i, check->cosine, &share))
             continue;
         if (*count < capacity) {
             tl_check_light *to = &out[*count];
             *to = (tl_check_light){.index = i,
-                                   .source = check->prepared.sources[i],
+                                   .source = of->prepared.sources[i],
                                    .distance = share.distance,
                                    .n_dot_l = share.n_dot_l,
                                    .certain = share.certain};

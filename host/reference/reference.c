@@ -37,13 +37,14 @@ typedef struct job {
     const tl_prepared *prepared;
     tl_twin_rows *twin;
     tl_word_planes planes;
+    const float *opacity;
     float *radiance[3];
 } job;
 
 static void light_rows(void *context, size_t begin, size_t end)
 {
     const job *j = context;
-    j->twin(j->prepared, &j->planes, j->radiance, begin, end);
+    j->twin(j->prepared, &j->planes, j->opacity, j->radiance, begin, end);
 }
 
 void tl_reference_light(const tl_prepared *prepared,
@@ -53,7 +54,8 @@ void tl_reference_light(const tl_prepared *prepared,
 {
     job j = {.prepared = prepared,
              .twin = twin_for(arithmetic),
-             .planes = tl_word_planes_of(gbuffer)};
+             .planes = tl_word_planes_of(gbuffer),
+             .opacity = gbuffer->opacity};
     for (unsigned i = 0; i < 3; i++)
         j.radiance[i] = tl_image_plane(image, i);
     tl_reference_surround(prepared, gbuffer, arithmetic);

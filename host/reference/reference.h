@@ -22,8 +22,8 @@ typedef enum tl_arithmetic {
         TL_ARITHMETIC_COUNT
 } tl_arithmetic;
 
-/* Lights every pixel with every light, on all threads. image has the G-buffer's size. Cannot
- * fail. */
+/* Lights every pixel with every light, on all threads; a layer, over what the image has. image has the
+ * G-buffer's size. Cannot fail. */
 void tl_reference_light(const tl_prepared *prepared,
                         const tl_gbuffer *gbuffer,
                         tl_arithmetic arithmetic,

@@ -9,12 +9,21 @@ static _Thread_local tl_approximations chosen;
 #    define TL_ROOT (chosen.of[TL_KNOB_ROOT])
 #endif
 
+#include "blend.h"
 #include "twin_pixel.h"
 
 tl_twin_rows TL_TWIN;
 
+/* What the image gets; of a layer, which lies between as floats, what is seen through it. */
+static float seen(real lit, const float *opacity, size_t at, float behind)
+{
+    return opacity ? (float)blended((real)opacity[at], (real)(float)lit, (real)behind)
+                   : (float)lit;
+}
+
 void TL_TWIN(const tl_prepared *prepared,
              const tl_word_planes *planes,
+             const float *opacity,
              float *const radiance[3],
              size_t begin,
              size_t end)
@@ -28,10 +37,12 @@ void TL_TWIN(const tl_prepared *prepared,
     for (uint32_t row = (uint32_t)begin; row < end; row++) {
         for (uint32_t column = 0; column < width; column++) {
             const size_t at = (size_t)row * prepared->frame.pitch + column;
+            if (opacity && !(opacity[at] > 0.0f))
+                continue;
             const vec3 out = twin_pixel(prepared, planes, all, column, row);
-            radiance[0][at] = (float)out.x;
-            radiance[1][at] = (float)out.y;
-            radiance[2][at] = (float)out.z;
+            radiance[0][at] = seen(out.x, opacity, at, radiance[0][at]);
+            radiance[1][at] = seen(out.y, opacity, at, radiance[1][at]);
+            radiance[2][at] = seen(out.z, opacity, at, radiance[2][at]);
         }
     }
 }

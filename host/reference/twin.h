@@ -5,10 +5,12 @@
 #include "packing.h"
 #include "prepared.h"
 
-/* Lights rows [begin, end). planes: the G-buffer's words, each [rows][pitch]; radiance: the three planes of
- * an image with the same pitch. */
+/* Lights rows [begin, end). planes: the G-buffer's words, each [rows][pitch]; opacity: the same of a layer,
+ * which is blended over what radiance has; else NULL; radiance: the three planes of an image with the same
+ * pitch. */
 typedef void tl_twin_rows(const tl_prepared *prepared,
                           const tl_word_planes *planes,
+                          const float *opacity,
                           float *const radiance[3],
                           size_t begin,
                           size_t end);

@@ -1,5 +1,6 @@
 #include "tilelight/capture.h"
 
+#include "blending.h"
 #include "geometry_pass.h"
 #include "shadow_pass.h"
 #include "tilelight/layouts.h"
@@ -60,6 +61,9 @@ static tl_status check_options(const tl_capture_options *options, tl_error *err)
     if (options->anisotropy > TL_MAX_ANISOTROPY)
         return tl_fail(err, TL_ERR_ARGUMENT, "cannot filter with an anisotropy of %u: 1 to %d",
                        options->anisotropy, TL_MAX_ANISOTROPY);
+    if (options->layers > TL_MOST_LAYERS)
+        return tl_fail(err, TL_ERR_ARGUMENT, "cannot peel %u layers: 0 to %d", options->layers,
+                       TL_MOST_LAYERS);
     return TL_OK;
 }
 
@@ -98,6 +102,28 @@ done:
     return status;
 }
 
+static uint32_t layers_of(const tl_capture_options *options)
+{
+    const uint32_t asked = options->layers ? options->layers : TL_DEFAULT_LAYERS;
+    return options->without_layers ? 0 : asked;
+}
+
+/* How many more layers there are is not known; whoever asks for more learns it. */
+static void tell_of_layers(const tl_model *model,
+                           const tl_capture_options *options,
+                           const tl_gbuffer *gbuffer,
+                           const tl_notices *notices)
+{
+    if (options->without_layers)
+        tl_model_tell_of_blending(model, notices);
+    if (gbuffer->layers.left > 0)
+        tl_notice(
+            notices,
+            "%s: %.3g %% of the picture has more surfaces that blend than the nearest %u, "
+            "which are kept: ask for more layers",
+            model->gltf->path, 100.0 * tl_layers_left_share(gbuffer), layers_of(options));
+}
+
 static tl_status render(const tl_model *model,
                         const tl_camera *camera,
                         const tl_capture_options *options,
@@ -124,7 +150,9 @@ static tl_status render(const tl_model *model,
     gbuffer->samples = side_of(options) * side_of(options);
     TRY(tl_gl_open(&gl, err));
     TRY(tl_upload(gl, model, &objects, timings, err));
-    TRY(tl_geometry_pass(gl, model, &objects, anisotropy, gbuffer, timings, err));
+    TRY(tl_geometry_pass(gl, model, &objects, anisotropy, layers_of(options), gbuffer, timings,
+                         err));
+    tell_of_layers(model, options, gbuffer, notices);
     TRY(tl_shadow_plan(model, gbuffer, lights,
                        options->shadow_memory ? options->shadow_memory
                                               : TL_DEFAULT_SHADOW_MEMORY,

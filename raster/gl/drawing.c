@@ -1,6 +1,8 @@
 #include "drawing.h"
 
+#include "blending.h"
 #include "interface.h"
+#include "try.h"
 
 #include <stdlib.h>
 
@@ -17,6 +19,7 @@ struct tl_placed_draw {
     size_t index; /* of the part */
     unsigned features;
     bool mirrored;
+    uint32_t first_rank; /* among what blends: blending.h */
     float view_from_model[3][4], normal_from_model[3][3], tangent_from_model[3][3];
 };
 typedef struct tl_placed_draw placed_draw;
@@ -193,6 +196,23 @@ static void set_surface(const tl_drawing *p, const placed_draw *draw)
 
 /* --- drawing ----------------------------------------------------------------------------------- */
 
+/* What is on the far plane, which the buffer is wiped to, is equal to it in the material pass. Peeling is
+ * drawn reversed always. */
+static const struct {
+    bool colors, depth;       /* that it writes */
+    bool of_layers;           /* of surfaces that blend, where there are layers */
+    bool of_both;             /* of all surfaces all the same */
+    GLenum reversed, forward; /* the comparison of depths */
+} passes[TL_PASS_COUNT] = {
+    [TL_DEPTH_PASS] = {false, true, false, false, GL_GREATER, GL_LESS},
+    [TL_SURFACE_PASS] = {true, false, false, false, GL_EQUAL, GL_EQUAL},
+    [TL_SHADOW_PASS] = {true, true, false, true, GL_GREATER, GL_LESS},
+    [TL_BACK_PASS] = {true, true, false, false, GL_GEQUAL, GL_LEQUAL},
+    [TL_FRONT_PASS] = {true, true, true, false, GL_GEQUAL, GL_LEQUAL},
+    [TL_CHOICE_PASS] = {true, true, true, false, GL_LESS, GL_LESS}, /* of ranks */
+    [TL_LAYER_PASS] = {true, true, true, false, GL_ALWAYS, GL_ALWAYS},
+};
+
 static tl_status draw_one(const tl_drawing *p,
                           tl_pass which,
                           const placed_draw *draw,
@@ -207,8 +227,10 @@ static tl_status draw_one(const tl_drawing *p,
     gl->UseProgram(program);
     set_geometry(p, draw);
     set_lookup(p, draw);
-    if (which == TL_SURFACE_PASS)
+    if (which == TL_SURFACE_PASS || which == TL_LAYER_PASS)
         set_surface(p, draw);
+    if (passes[which].of_layers)
+        gl->Uniform1f(UNIFORM_RANK, (GLfloat)draw->first_rank);
     if (which == TL_SHADOW_PASS)
         gl->Uniform3fv(UNIFORM_DEPTH_RANGE, 1, p->depth_range);
     /* glTF 2.0, section 3.7.4: a negative determinant turns the front around. */
@@ -223,15 +245,21 @@ static tl_status draw_one(const tl_drawing *p,
     return TL_OK;
 }
 
+static bool is_drawn(const tl_drawing *p, tl_pass which, const placed_draw *draw)
+{
+    return passes[which].of_both ||
+           passes[which].of_layers == (p->is_layered && draw->material->blends);
+}
+
 tl_status tl_drawing_run(const tl_drawing *p, tl_pass which, tl_error *err)
 {
-    /* What is on the far plane, which the buffer is wiped to, is equal to it in the material pass. */
-    const GLenum nearer = p->is_reversed ? GL_GREATER : GL_LESS;
-    const GLboolean colors = which != TL_DEPTH_PASS;
+    const GLboolean colors = passes[which].colors;
     p->gl->ColorMask(colors, colors, colors, colors);
-    p->gl->DepthMask(which != TL_SURFACE_PASS);
-    p->gl->DepthFunc(which != TL_SURFACE_PASS ? nearer : GL_EQUAL);
+    p->gl->DepthMask(passes[which].depth);
+    p->gl->DepthFunc(p->is_reversed ? passes[which].reversed : passes[which].forward);
     for (size_t i = 0; i < p->model->draw_count; i++) {
+        if (!is_drawn(p, which, &p->draws[i]))
+            continue;
         const tl_status status = draw_one(p, which, &p->draws[i], err);
         if (status != TL_OK)
             return status;
@@ -279,6 +307,22 @@ tl_status tl_drawing_begin(tl_drawing *p,
     }
     prepare_draws(p);
     return TL_OK;
+}
+
+tl_status tl_drawing_part_layers(tl_drawing *p, tl_error *err)
+{
+    tl_status status = TL_OK;
+    uint32_t *ranks = calloc(p->model->draw_count + 1, sizeof *ranks);
+    if (!ranks)
+        TRY(tl_fail(err, TL_ERR_MEMORY, "%s: out of memory for what blends",
+                    p->model->gltf->path));
+    TRY(tl_blending_ranks(p->model, ranks, err));
+    for (size_t i = 0; i < p->model->draw_count; i++)
+        p->draws[i].first_rank = ranks[i];
+    p->is_layered = true;
+done:
+    free(ranks);
+    return status;
 }
 
 void tl_drawing_clear(tl_drawing *p)

@@ -14,6 +14,8 @@ typedef struct tl_drawing {
     const tl_scene_objects *objects;
     const tl_camera *camera;
     bool is_reversed; /* 1 on the near plane, 0 on the far plane; else 0 and 1 */
+    bool
+        is_layered; /* surfaces that blend are drawn by the passes of layers, not among the others */
     float anisotropy;
     tl_programs *programs; /* owned */
     float clip_from_view[4][4], world_from_view[3][3];
@@ -31,6 +33,10 @@ tl_status tl_drawing_begin(tl_drawing *out,
                            uint32_t anisotropy,
                            tl_error *err);
 
+/* From here on surfaces that blend are drawn by the passes of layers, not among the others. Fails as
+ * tl_blending_ranks does. */
+tl_status tl_drawing_part_layers(tl_drawing *drawing, tl_error *err);
+
 void tl_drawing_clear(tl_drawing *drawing);
 
 /* From here on it is what this camera, which outlives that, sees. */
@@ -39,8 +45,9 @@ void tl_drawing_look(tl_drawing *drawing, const tl_camera *camera, bool is_rever
 /* The state that all passes are drawn with: row 0 on top, depth in [0, 1]. */
 void tl_drawing_set_state(const tl_gl *gl);
 
-/* Draws all of it to the bound framebuffer, whose viewport is set. The depth pass writes depth alone, the
- * surface pass colours alone, where depth is equal; the shadow pass both. Fails with TL_ERR_DEVICE. */
+/* Draws all of it that the pass is of to the bound framebuffer, whose viewport is set. The depth pass writes
+ * depth alone, the surface pass colours alone, where depth is equal; others both. Fails with
+ * TL_ERR_DEVICE. */
 tl_status tl_drawing_run(const tl_drawing *drawing, tl_pass which, tl_error *err);
 
 #endif

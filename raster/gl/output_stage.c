@@ -229,7 +229,7 @@ void tl_output_stage(enum tl_layout_name layout, uint32_t present, char *text)
         if (tl_target_is_color(layout, present, i))
             say(&to, "layout(location = %u) out %s target_%u;\n", i,
                 info->targets[i].format == TL_FORMAT_R32UI ? "uint" : "vec4", i);
-    say(&to, "void main()\n{\n    surface s = visible_surface();\n");
+    say(&to, "void main()\n{\n    surface s = visible_surface();\n    keep_fragment();\n");
     if (!(present & TL_GROUP_METAL_ROUGH))
         say(&to, "    s = phong_surface(s);\n");
     say_normal(&to);

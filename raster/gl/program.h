@@ -5,6 +5,8 @@
 #include "gl.h"
 #include "output_stage.h"
 
+#include <stdbool.h>
+
 /* X(bit, macro in the shaders) */
 #define TL_FEATURES(X)                                     \
     X(TL_HAS_BASE_COLOR, "HAS_BASE_COLOR")                 \
@@ -24,11 +26,23 @@ enum tl_feature {
         TL_FEATURE_COUNT
 };
 
-typedef enum tl_pass { TL_DEPTH_PASS, TL_SURFACE_PASS, TL_SHADOW_PASS, TL_PASS_COUNT } tl_pass;
+/* Those of layers behind those of surfaces: peeling.h. */
+typedef enum tl_pass {
+    TL_DEPTH_PASS,
+    TL_SURFACE_PASS,
+    TL_SHADOW_PASS,
+    TL_BACK_PASS,
+    TL_FRONT_PASS,
+    TL_CHOICE_PASS,
+    TL_LAYER_PASS,
+    TL_PASS_COUNT
+} tl_pass;
 
 /* Programs made so far, by pass and features; 0: not made. They go with the context. */
 typedef struct tl_programs {
-    char output[TL_OUTPUT_STAGE_SIZE]; /* the end of the surface pass (tl_output_stage) */
+    /* the end of the surface and layer passes (tl_output_stage) */
+    char output[TL_OUTPUT_STAGE_SIZE];
+    bool forward_layers; /* the layer pass turns its depth around: 0 on the near plane */
     GLuint made[TL_PASS_COUNT][1 << TL_FEATURE_COUNT];
 } tl_programs;
 

@@ -147,21 +147,25 @@ static float cut(double value, double least, double most)
     return (float)fmin(fmax(value, least), most);
 }
 
-/* Below this a fragment is left out; 0 keeps all. BLEND is shown as opaque where it is at least
- * half there, until layers of it can be stored. */
-static tl_status find_cutoff(const tl_gltf *gltf,
-                             const char *user,
-                             const tl_gltf_material *from,
-                             float *out,
-                             tl_error *err)
+/* Below this a fragment is left out; 0 keeps all. Where no layers are peeled, and for shadows, BLEND is
+ * opaque where it is at least half there. */
+static tl_status find_alpha_mode(const tl_gltf *gltf,
+                                 const char *user,
+                                 const tl_gltf_material *from,
+                                 tl_material *out,
+                                 tl_error *err)
 {
     const struct {
         const char *mode;
         double cutoff;
-    } modes[] = {{"OPAQUE", 0.0}, {"MASK", from->alpha_cutoff}, {"BLEND", 0.5}};
+        bool blends;
+    } modes[] = {
+        {"OPAQUE", 0.0, false}, {"MASK", from->alpha_cutoff, false}, {"BLEND", 0.5, true}};
     for (size_t i = 0; i < sizeof modes / sizeof modes[0]; i++)
         if (strcmp(from->alpha_mode, modes[i].mode) == 0) {
-            *out = cut(modes[i].cutoff, 0.0, 2.0); /* above 1, as it may be, hides all */
+            /* above 1, as it may be, hides all */
+            out->alpha_cutoff = cut(modes[i].cutoff, 0.0, 2.0);
+            out->blends = modes[i].blends;
             return TL_OK;
         }
     return tl_fail(err, TL_ERR_FORMAT, "%s: %s has the alphaMode \"%.32s\", which glTF has not",
@@ -191,7 +195,7 @@ static tl_status load_material(
     out->double_sided = from->double_sided;
     out->unlit = from->unlit;
     out->emits |= from->unlit;
-    TRY(find_cutoff(model->gltf, label.text, from, &out->alpha_cutoff, err));
+    TRY(find_alpha_mode(model->gltf, label.text, from, out, err));
     /* KHR_materials_unlit: all but the base colour is there for those that do not know it. */
     for (int i = 0; i < TL_GLTF_SLOT_COUNT; i++)
         if (!from->unlit || i == TL_GLTF_BASE_COLOR)
@@ -212,20 +216,6 @@ static void make_default(tl_material *out)
                          .occlusion_strength = 1.0f};
     for (int i = 0; i < TL_GLTF_SLOT_COUNT; i++)
         out->slots[i].texture = -1;
-}
-
-static void tell_of_blending(const tl_model *model, const bool *used, const tl_notices *notices)
-{
-    char names[512] = "";
-    for (size_t i = 0; i < model->gltf->material_count; i++) {
-        const tl_gltf_material *const from = &model->gltf->materials[i];
-        if (used[i] && strcmp(from->alpha_mode, "BLEND") == 0 &&
-            !tl_list_add(names, sizeof names, tl_label_of("material", i, from->name).text))
-            break;
-    }
-    if (names[0])
-        tl_notice(notices, "%s: blending is shown as opaque where alpha is at least 0.5: %s",
-                  model->gltf->path, names);
 }
 
 /* OpenGL then reads 0, 0 for every vertex. */
@@ -272,7 +262,6 @@ tl_status tl_load_materials(tl_model *model, const tl_notices *notices, tl_error
     for (size_t i = 0; i < count; i++)
         if (used[i])
             TRY(load_material(model, i, notices, &model->materials[i], err));
-    tell_of_blending(model, used, notices);
     tell_of_missing_coordinates(model, notices);
 done:
     free(used);

@@ -71,7 +71,8 @@ typedef struct tl_material {
     float metallic, roughness, normal_scale, occlusion_strength;
     float alpha_cutoff; /* below it there is nothing; 0: opaque */
     bool double_sided, emits;
-    bool unlit; /* its base colour is what it emits; it reflects nothing */
+    bool blends; /* with what is behind it, by its alpha; all the same it has a cutoff */
+    bool unlit;  /* its base colour is what it emits; it reflects nothing */
     tl_texture_slot slots[TL_GLTF_SLOT_COUNT];
 } tl_material;
 

@@ -25,6 +25,13 @@
 #define SLOT_EMISSIVE 4
 #define SLOT_COUNT 5
 
+/* And behind them what peeling looks at: peel.glsl. */
+#define SLOT_BACK SLOT_COUNT
+#define SLOT_TAKEN_FRONT (SLOT_COUNT + 1)
+#define SLOT_TAKEN_CHOICE (SLOT_COUNT + 2)
+#define SLOT_FRONT (SLOT_COUNT + 3)
+#define SLOT_CHOICE (SLOT_COUNT + 4)
+
 #define UNIFORM_CLIP_FROM_VIEW 0
 #define UNIFORM_VIEW_FROM_MODEL 1
 #define UNIFORM_NORMAL_FROM_MODEL 2
@@ -42,3 +49,4 @@
 #define UNIFORM_ANISOTROPY \
     (UNIFORM_DEPTH_RANGE + 1) /* [SLOT_COUNT]; 1: as the sampler alone has it */
 #define UNIFORM_BRDF (UNIFORM_ANISOTROPY + SLOT_COUNT) /* index of the BRDF, 0: none */
+#define UNIFORM_RANK (UNIFORM_BRDF + 1)                /* of the first triangle: peel.glsl */

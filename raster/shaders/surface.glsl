@@ -102,3 +102,23 @@ surface visible_surface()
     return surface(view_position, shading_normal(), clamp(base.rgb, 0.0, 1.0), vec3(0.0), emitted, 0.0,
                    metallic, roughness, occlusion, brdf_index, surface_tangent());
 }
+
+#ifdef LAYER
+layout(binding = SLOT_FRONT) uniform sampler2D front;
+layout(binding = SLOT_CHOICE) uniform sampler2D choice;
+#endif
+
+// Of a layer the one surface that was chosen for the pixel. Behind all that asks for derivatives, which
+// fragments that are discarded do not have.
+void keep_fragment()
+{
+#ifdef LAYER
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    if (gl_FragCoord.z != texelFetch(front, at, 0).r ||
+        rank_of_fragment() != texelFetch(choice, at, 0).r)
+        discard;
+#    ifdef FORWARD_DEPTH
+    gl_FragDepth = 1.0 - gl_FragCoord.z;
+#    endif
+#endif
+}

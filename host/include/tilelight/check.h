@@ -29,7 +29,7 @@ typedef enum tl_cosine {
 /* What a frame should look like. */
 typedef struct tl_check tl_check;
 
-/* gbuffer (repaired) and lights are borrowed while *out lives. Of a packed G-buffer the frame is what
+/* gbuffer (repaired) and lights are borrowed while *out lives; layers are blended. Of a packed G-buffer the frame is what
  * tl_gbuffer_unpack makes of it, in which every position is on its pixel's ray: that is what pictures have
  * to be lit from, as they are by a user's kernel. light_cutoff as in tl_lighting_options. The caller
  * releases *out with tl_check_destroy. Fails with TL_ERR_ARGUMENT, TL_ERR_FORMAT (a row of
@@ -53,6 +53,9 @@ tl_status tl_check_allow(tl_check *check, const tl_approximations *of, tl_error 
  * compute it, and allows for nothing. Fails with TL_ERR_ARGUMENT or TL_ERR_MEMORY; *check can then be
  * destroyed alone. */
 tl_status tl_check_occlusion(tl_check *check, uint32_t samples, tl_error *err);
+
+/* From now on pictures are of the nearest layers, so many at most: tl_lighting_options.layers. */
+void tl_check_layers(tl_check *check, uint32_t most);
 
 /* One value of a picture beside what it may be. */
 typedef struct tl_check_value {
@@ -91,7 +94,7 @@ typedef struct tl_check_light {
     double low[3], high[3]; /* what it adds, linear Rec. 709 */
 } tl_check_light;
 
-/* The lights that add to pixel (x, y) of the picture, in index order: *count of them, of which the
+/* The lights that add to pixel (x, y) of the surfaces, behind all layers, in index order: *count of them, of which the
  * first `capacity` are written to out. Cannot fail. */
 void tl_check_lights(const tl_check *check,
                      uint32_t x,

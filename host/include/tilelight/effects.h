@@ -58,7 +58,8 @@ typedef enum tl_cause_kind {
     X(TL_CAUSE_EXPONENT, TL_CAUSE_OF_FRAME, "shininess for all surfaces")                  \
     X(TL_CAUSE_ONE_COLOR, TL_CAUSE_OF_FRAME,                                               \
       "model that tints grey highlights, and lights of one colour each")                   \
-    X(TL_CAUSE_PARALLEL, TL_CAUSE_OF_FRAME, "orthographic camera")
+    X(TL_CAUSE_PARALLEL, TL_CAUSE_OF_FRAME, "orthographic camera")                         \
+    X(TL_CAUSE_BLENDED, TL_CAUSE_OF_FRAME, "blended surface in a layer")
 
 typedef enum tl_cause {
 #define TL_CAUSE_NAME(name, kind, what) name,
@@ -68,12 +69,12 @@ typedef enum tl_cause {
 } tl_cause;
 
 /* One bit each. */
-typedef char tl_causes_fit[TL_CAUSE_COUNT <= 32 ? 1 : -1];
+typedef char tl_causes_fit[TL_CAUSE_COUNT <= 64 ? 1 : -1];
 
-#define TL_BY(cause) (1u << (cause))
+#define TL_BY(cause) ((uint64_t)1 << (cause))
 
 /* X(name, word, what it computes, causes it takes: all of them, planes it reads beside TL_GROUP_BASE,
- *   what switches it: a macro of kernels/options.h, or a number of the frame) */
+ *   what switches it: a macro of kernels/options.h, a number of the frame, or a kernel of its own) */
 #define TL_EFFECTS(X)                                                                          \
     X(TL_EFFECT_GLOBAL, "global-lights", "lights that reach everything, for every pixel",      \
       TL_BY(TL_CAUSE_GLOBAL), 0, "frame.global_count")                                         \
@@ -134,6 +135,9 @@ typedef char tl_causes_fit[TL_CAUSE_COUNT <= 32 ? 1 : -1];
       TL_BY(TL_CAUSE_SKY_GRADIENT), 0, "TL_SKY")                                               \
     X(TL_EFFECT_SKY_IMAGE, "sky-image", "a map of the whole sky", TL_BY(TL_CAUSE_SKY_IMAGE),   \
       0, "TL_SKY")                                                                             \
+    X(TL_EFFECT_TRANSLUCENCY, "translucency",                                                  \
+      "layers that blend, each lit as the surfaces behind them are", TL_BY(TL_CAUSE_BLENDED),  \
+      0, "blend_layer")                                                                        \
     X(TL_EFFECT_PARALLEL, "orthographic", "parallel rays", TL_BY(TL_CAUSE_PARALLEL), 0,        \
       "TL_ORTHOGRAPHIC")
 
@@ -146,7 +150,7 @@ typedef enum tl_effect {
 
 typedef struct tl_effect_row {
     const char *word, *computes;
-    uint32_t causes; /* bits 1 << tl_cause */
+    uint64_t causes; /* bits TL_BY(cause) */
     uint32_t planes; /* bits 1 << plane */
     const char *option;
 } tl_effect_row;
@@ -160,10 +164,10 @@ extern const tl_effect_row tl_effect_rows[TL_EFFECT_COUNT];
 extern const tl_cause_row tl_cause_rows[TL_CAUSE_COUNT];
 
 /* The effects whose causes are all among `causes`: bits 1 << tl_effect. */
-uint32_t tl_effects_of(uint32_t causes);
+uint32_t tl_effects_of(uint64_t causes);
 
 /* Those of the effects, given all causes there are, that a light with these causes among them calls for. */
-uint32_t tl_effects_of_light(uint32_t all_causes, uint32_t light_causes);
+uint32_t tl_effects_of_light(uint64_t all_causes, uint64_t light_causes);
 
 /* Whether each tile computes it only where one of its own lights calls for it (kernels/choices.h; ranged
  * lights, by its list). */
@@ -212,8 +216,8 @@ typedef struct tl_some_lights {
 /* What was decided for a frame, and by what. */
 typedef struct tl_explanation {
     uint32_t effects; /* that are on, bits 1 << tl_effect */
-    uint32_t causes;  /* that the frame has, bits 1 << tl_cause */
-    uint32_t assumed; /* causes that TL_EFFECTS_ALL takes for there beside them */
+    uint64_t causes;  /* that the frame has, bits TL_BY(cause) */
+    uint64_t assumed; /* causes that TL_EFFECTS_ALL takes for there beside them */
     /* effects taken out all the same, to see what they cost: another picture */
     uint32_t without;
     uint32_t present; /* planes of the frame, bits 1 << plane */

@@ -7,6 +7,7 @@
 #define TL_GBUFFER_H
 
 #include "camera.h"
+#include "layers.h"
 #include "layout_names.h"
 #include "planes.h"
 #include "shadows.h"
@@ -80,7 +81,15 @@ typedef struct tl_gbuffer {
     uint32_t indices[TL_INDEX_WORDS];
     bool knows_indices;
     tl_material_names materials; /* none where nobody named them */
-    tl_shadow_maps shadows;      /* of lights that were to cast shadows; owned */
+    tl_shadow_maps shadows; /* of lights that were to cast shadows; owned; a layer has none */
+    tl_layers layers; /* of surfaces that blend, before this one; owned; a layer has none */
+    /* Of a layer: whose it is, and [rows][pitch], owned, aligned as the planes: 0 where nothing is, to 1. NULL
+     * of others. */
+    const struct tl_gbuffer *layer_of;
+    float *opacity;
+    /* Rows from .. to - 1 have all that the layer shows: all rows until tl_gbuffer_repair has found them.
+     * Whoever writes opacity afterwards makes it 0 and camera.height again, or repairs anew. */
+    uint32_t shown_from, shown_to;
     /* [tl_gbuffer_pixel_size][rows * pitch] bytes, plane after plane, aligned to 4096; padding is sky */
     unsigned char *planes;
 } tl_gbuffer;
@@ -114,6 +123,9 @@ tl_status tl_gbuffer_create_packed(const tl_camera *camera,
 /* Accepts NULL. */
 void tl_gbuffer_destroy(tl_gbuffer *gbuffer);
 
+/* Whose layer it is, of others themselves: who has the shadow maps and the names of materials. */
+const tl_gbuffer *tl_gbuffer_owner(const tl_gbuffer *gbuffer);
+
 /* [rows][pitch], owned by the G-buffer, which is in full float; NULL where the plane is absent. */
 float *tl_gbuffer_plane(const tl_gbuffer *gbuffer, enum tl_plane plane);
 
@@ -131,11 +143,12 @@ typedef struct tl_repairs {
      * is not finite or not before such a camera */
     uint64_t depth;
     uint64_t normal; /* not finite, or of no length: made 0, which no light reaches */
-    uint64_t value; /* another plane not finite, out of its range, or no index: made 0 or cut */
+    /* another plane not finite, out of its range, or no index: made 0 or cut; so is opacity */
+    uint64_t value;
 } tl_repairs;
 
-/* Makes every pixel safe to light, and sky pixels hold the values of `TL_PLANES` for nothing hit; of any
- * layout, by what kernels read in float and in double. Finds the slack of stored positions, which planes
+/* Makes every pixel safe to light, and sky pixels hold the values of `TL_PLANES` for nothing hit; in layers,
+ * too, which have no opacity where there is sky; of any layout, by what kernels read in float and in double. Finds the slack of stored positions, which planes
  * are neutral, whether the frame is dark, and its indices. On all threads. *out may be NULL. With
  * `strict`, fails with TL_ERR_FORMAT at the first pixel that would need it, naming pixel and channel (of
  * a packed one the attribute), and `name` (a file) in front. */

@@ -131,6 +131,9 @@ typedef struct tl_lighting_options {
     /* Of a pixel whose surroundings keep ambient light from it: a row of TL_OCCLUSION_SAMPLES
      * (occlusion.h), 0: TL_DEFAULT_OCCLUSION_SAMPLES. Another picture where there is ambient occlusion */
     uint32_t occlusion_samples;
+    /* Of the frame's layers, at most so many are lit and blended, the nearest; another picture where it has
+     * more */
+    uint32_t layers;
     float light_cutoff; /* a light without a range ends where it gives this (lx); 0: never */
     uint64_t
         memory_limit; /* bytes of device memory beside shared ones; 0: what the device has */
@@ -138,7 +141,7 @@ typedef struct tl_lighting_options {
         kernel; /* its strings are the caller's, who keeps them while the tl_lighting lives */
 } tl_lighting_options;
 
-/* split, float, tile 16, path and width by device, no cutoff. */
+/* split, float, tile 16, path and width by device, all layers, no cutoff. */
 tl_lighting_options tl_lighting_options_default(void);
 
 /* What a frame came to. */
@@ -147,11 +150,14 @@ typedef struct tl_lighting_counts {
     uint64_t list_length; /* (tile, light) pairs of all lists; global lights are not listed */
     /* pixels in which light added up beyond the largest float: they have that */
     uint64_t cut_count;
+    uint32_t layer_count; /* that were lit beside the surfaces behind them */
+    uint64_t layer_list_length; /* of their lists; list_length is of the surfaces' */
     uint64_t pair_count;   /* (pixel, light) pairs that the lists stand for, padding included */
     uint32_t band_count;   /* the frame was lit in this many parts, to fit memory_limit */
     uint64_t device_bytes; /* of the device's own buffers, at their largest */
-    double device_cull_ms, device_shade_ms; /* from profiling events; 0 on the CPU paths */
-    double device_occlusion_ms;             /* the same, of ambient occlusion; shading apart */
+    /* from profiling events; 0 on the CPU paths; of layers too */
+    double device_cull_ms, device_shade_ms;
+    double device_occlusion_ms; /* the same, of ambient occlusion; shading apart */
     double first_kernel_s; /* when the first kernel began, on tl_seconds' clock; 0: none ran */
     double shade_wall_ms;  /* shading as the host saw it */
     double shade_processor_ms; /* processor time that the process took meanwhile: over
@@ -171,8 +177,8 @@ tl_status tl_lighting_create(tl_device *device,
 /* Accepts NULL. */
 void tl_lighting_destroy(tl_lighting *lighting);
 
-/* Lights one frame, of any layout, that tl_gbuffer_repair has been through. *image has the
- * G-buffer's size and is written in full. A user's kernel is given full float: for it a packed
+/* Lights one frame, of any layout, that tl_gbuffer_repair has been through: its surfaces, then its layers over
+ * them, from the farthest to the nearest. *image has the G-buffer's size and is written in full. A user's kernel is given full float: for it a packed
  * frame is unpacked first, anew for every frame. Compiles kernels where the scene needs ones it
  * has not needed before; allocates only where a frame is larger, or has more lights, than every
  * one before. A frame that does not fit memory_limit is lit in bands of tile rows, with the
@@ -188,10 +194,10 @@ tl_status tl_lighting_run(tl_lighting *lighting,
                           tl_lighting_counts *counts,
                           tl_error *err);
 
-/* What the last frame called for, and why. *out is all zero before the first. Cannot fail. */
+/* What the last frame called for, its layers included, and why. *out is all zero before the first. Cannot fail. */
 void tl_lighting_explain(const tl_lighting *lighting, tl_explanation *out);
 
-/* Of each tile of the last frame, how many lights with a range it lists: [tiles_y][tiles_x],
+/* Of each tile of the last frame, layers left out, how many lights with a range it lists: [tiles_y][tiles_x],
  * until the next frame; on the CPU paths, which have no lists, all of them. NULL unless the
  * options ask to keep it. */
 const uint32_t *tl_lighting_tile_lights(const tl_lighting *lighting);
@@ -208,7 +214,7 @@ typedef struct tl_effect_use {
 /* Until the next frame. NULL unless the options ask to keep tiles' lights. */
 const tl_effect_use *tl_lighting_effect_use(const tl_lighting *lighting);
 
-/* Shades the last frame once more, from the lists that are there, by kernels that lack some of its effects
+/* Shades the last frame once more, without its layers, from the lists that are there, by kernels that lack some of its effects
  * (bits 1 << tl_effect): *ms is the device's time for that. *image, of the frame's size, becomes what they
  * give, another picture where the frame has such an effect. gbuffer: that of the last frame. Fails with
  * TL_ERR_UNSUPPORTED on the CPU paths and where the frame was lit in bands, TL_ERR_DEVICE or

@@ -41,6 +41,10 @@ typedef struct tl_capture_options {
     bool all_shadows;
     uint64_t shadow_memory;
     double shadow_near;
+    /* Of surfaces that blend (layers.h), TL_MOST_LAYERS at most; 0: TL_DEFAULT_LAYERS. Without layers they are
+     * shown as opaque where their alpha is at least half, which is told. */
+    uint32_t layers;
+    bool without_layers;
 } tl_capture_options;
 
 /* Loads `path` (.gltf, .glb), renders its default scene into a G-buffer, and collects its lights. The
@@ -49,7 +53,7 @@ typedef struct tl_capture_options {
  * metallic and roughness they become a Phong material (kernels/material.h); what else it has no place for
  * is named in a notice. Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED (an extension the file
  * requires; a layout whose convention of depth this camera has not; more than TL_MAX_MATERIALS with
- * `materials`), TL_ERR_ARGUMENT (size, samples, camera, anisotropy, time, animation, variant),
+ * `materials`; more than 2^24 triangles that blend), TL_ERR_ARGUMENT (size, samples, layers, camera, anisotropy, time, animation, variant),
  * TL_ERR_MEMORY or TL_ERR_DEVICE (OpenGL), naming the file and the node, mesh, accessor, image or extension
  * concerned. */
 tl_status tl_capture(const char *path,
