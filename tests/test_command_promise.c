@@ -127,6 +127,7 @@ static void refusals(void **state)
         {"--max-flip 0.1 --max-error 8bit", "--max-flip and --max-error exclude each other"},
         {"--max-error 1e-3 --precision double", "--max-error chooses --precision itself"},
         {"--light-cutoff 0.1 --max-time 3", "--max-time chooses --light-cutoff itself"},
+        {"--max-error 1e-3 --occlusion-samples 8", "ambient occlusion of 64 samples"},
         {"--max-flip 0.1 --power degree-3", "--max-flip chooses --power itself"},
         {"--max-error 1e-3 --exr half", "leave --exr half out"},
     };

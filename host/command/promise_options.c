@@ -1,5 +1,6 @@
 #include "promise_options.h"
 
+#include "tilelight/occlusion.h"
 #include "values.h"
 
 #include <string.h>
@@ -79,6 +80,11 @@ void promise_check_together(const promise_choice *promise,
     if (lighting->chosen)
         argp_error(state, "%s chooses %s itself: leave one of them out", promise->option,
                    lighting->chosen);
+    if (lighting->options.occlusion_samples)
+        argp_error(state,
+                   "%s is kept against ambient occlusion of %d samples: leave "
+                   "--occlusion-samples out",
+                   promise->option, TL_DEFAULT_OCCLUSION_SAMPLES);
     if (pictures->half && promise->goal.kind != TL_GOAL_TIME)
         argp_error(state, "%s is kept by pictures in float: leave --exr half out",
                    promise->option);

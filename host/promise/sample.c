@@ -3,6 +3,7 @@
 #include "brightness.h"
 #include "random.h"
 #include "strata.h"
+#include "surround.h"
 #include "try.h"
 
 #include "tilelight/report.h"
@@ -216,6 +217,7 @@ tl_status tl_sample_draw(const tl_gbuffer *gbuffer,
         TRY(out_of_memory(made, err));
     TRY(tl_prepare(gbuffer, lights, &(tl_prepare_options){.tile_size = TL_RIM_TILE}, NULL,
                    &prepared, err));
+    tl_reference_surround(&prepared, gbuffer, TL_TWIN_REFERENCE);
     TRY(draw(&prepared, gbuffer, guide, options, made, err));
     made->seconds = tl_seconds() - start;
     *out = made;

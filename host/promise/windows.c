@@ -2,6 +2,7 @@
 
 #include "bound.h"
 #include "random.h"
+#include "surround.h"
 #include "try.h"
 
 #include "tilelight/flip.h"
@@ -168,6 +169,7 @@ static tl_status light_windows(const tl_gbuffer *gbuffer,
     tl_prepared prepared = {0};
     TRY(tl_prepare(gbuffer, lights, &(tl_prepare_options){.tile_size = BLOCK}, NULL, &prepared,
                    err));
+    tl_reference_surround(&prepared, gbuffer, TL_TWIN_REFERENCE);
     for (uint32_t i = 0; i < windows->count; i++)
         TRY(light_window(&prepared, gbuffer, windows->side, &windows->of[i], err));
 done:

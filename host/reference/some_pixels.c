@@ -1,7 +1,6 @@
 #include "some_pixels.h"
 
 #include "parallel.h"
-#include "surround.h"
 
 #include <stdlib.h>
 
@@ -49,6 +48,5 @@ void tl_reference_some(const tl_prepared *prepared,
 {
     enum { GROUPS_A_THREAD_TAKES = 16 };
     job j = {prepared, pixels, some_twin(), tl_word_planes_of(gbuffer), radiance};
-    tl_reference_surround(prepared, gbuffer, TL_TWIN_REFERENCE);
     tl_parallel(pixels->count, GROUPS_A_THREAD_TAKES, light_groups, &j);
 }

@@ -17,7 +17,7 @@ typedef struct tl_pixel_groups {
 } tl_pixel_groups;
 
 /* radiance[i] becomes that of pixel i, bit for bit what tl_reference_light gives in TL_TWIN_REFERENCE. On all
- * threads. Cannot fail. */
+ * threads; surroundings, where the frame needs some, are those of tl_reference_surround. Cannot fail. */
 void tl_reference_some(const tl_prepared *prepared,
                        const tl_gbuffer *gbuffer,
                        const tl_pixel_groups *pixels,
