@@ -7,6 +7,8 @@
 #include "sections.h"
 #include "surround.h"
 
+enum { FRAME_SIDE = 128 }; /* px */
+
 typedef enum shape_kind { SHAPE_PLANE, SHAPE_SPHERE, SHAPE_BOX } shape_kind;
 
 /* In world space. */
@@ -126,6 +128,36 @@ static inline tl_gbuffer *cast_frame(const tl_camera *camera, shapes in, uint32_
             }
         }
     return g;
+}
+
+/* From a place to another one. */
+static inline tl_camera camera_at(double x, double y, double z, double tx, double ty, double tz)
+{
+    const double eye[3] = {x, y, z}, target[3] = {tx, ty, tz}, up[3] = {0.0, 1.0, 0.01};
+    return tl_camera_look_at(eye, target, up, 0.8, FRAME_SIDE, FRAME_SIDE, 0.1, 1000.0);
+}
+
+static inline void make_parallel(tl_camera *camera, float half)
+{
+    camera->projection = TL_ORTHOGRAPHIC;
+    camera->left = camera->bottom = -half;
+    camera->right = camera->top = half;
+}
+
+/* How a plane is seen: its slope from the picture's plane, degrees. */
+static const double plane_slopes[] = {0.0, 20.0, 45.0, 70.0, 85.0, 89.0, 89.9};
+
+/* A plane 5 m before the camera, of this slope, which falls one way or another. The caller destroys it. */
+static inline tl_gbuffer *plane_frame(double degrees, int turn, int parallel)
+{
+    const double slope = degrees * acos(-1.0) / 180.0, way = 0.6 + 2.0 * turn;
+    const shape plane = {SHAPE_PLANE,
+                         {0.0, 0.0, -5.0},
+                         {sin(slope) * cos(way), sin(slope) * sin(way), cos(slope)}};
+    tl_camera camera = camera_at(0.0, 0.0, 0.0, 0.0, 0.0, -1.0);
+    if (parallel)
+        make_parallel(&camera, 2.0f);
+    return cast_frame(&camera, (shapes){&plane, 1}, 0);
 }
 
 /* A frame whose surroundings are computed in C; prepared is all zero at first. */

@@ -5,20 +5,7 @@
 #include "tilelight/layouts.h"
 #include "tilelight/occlusion.h"
 
-enum { SIDE = 128 };
-
-static tl_camera camera_at(double x, double y, double z, double tx, double ty, double tz)
-{
-    const double eye[3] = {x, y, z}, target[3] = {tx, ty, tz}, up[3] = {0.0, 1.0, 0.01};
-    return tl_camera_look_at(eye, target, up, 0.8, SIDE, SIDE, 0.1, 1000.0);
-}
-
-static void make_parallel(tl_camera *camera, float half)
-{
-    camera->projection = TL_ORTHOGRAPHIC;
-    camera->left = camera->bottom = -half;
-    camera->right = camera->top = half;
-}
+enum { SIDE = FRAME_SIDE };
 
 static size_t count_surfaces(const tl_gbuffer *g)
 {
@@ -39,30 +26,20 @@ static void assert_open(const tl_gbuffer *g, float radius, float least, const ch
     tl_prepared_clear(&s.prepared);
 }
 
-/* How a plane is seen: its slope from the picture's plane, and which way it falls, degrees. */
-static const double slopes[] = {0.0, 20.0, 45.0, 70.0, 85.0, 89.0, 89.9};
 static const float radii[] = {1e-3f, 0.3f, 4.0f, 1e9f};
 
 /* To the last bit, with sky beyond its end, whatever the angle and the projection. */
 static void a_plane_is_open(void **state)
 {
     (void)state;
-    for (size_t i = 0; i < COUNT_OF(slopes); i++)
+    for (size_t i = 0; i < COUNT_OF(plane_slopes); i++)
         for (int turn = 0; turn < 2; turn++)
             for (int parallel = 0; parallel < 2; parallel++) {
-                const double slope = slopes[i] * acos(-1.0) / 180.0, way = 0.6 + 2.0 * turn;
-                const shape plane = {
-                    SHAPE_PLANE,
-                    {0.0, 0.0, -5.0},
-                    {sin(slope) * cos(way), sin(slope) * sin(way), cos(slope)}};
-                tl_camera camera = camera_at(0.0, 0.0, 0.0, 0.0, 0.0, -1.0);
                 char name[64];
-                if (parallel)
-                    make_parallel(&camera, 2.0f);
-                tl_gbuffer *g = cast_frame(&camera, (shapes){&plane, 1}, 0);
+                tl_gbuffer *g = plane_frame(plane_slopes[i], turn, parallel);
                 assert_true(count_surfaces(g) > SIDE * SIDE / 3);
-                snprintf(name, sizeof name, "slope %g, turn %d, parallel %d", slopes[i], turn,
-                         parallel);
+                snprintf(name, sizeof name, "slope %g, turn %d, parallel %d", plane_slopes[i],
+                         turn, parallel);
                 for (size_t r = 0; r < COUNT_OF(radii); r++)
                     assert_open(g, radii[r], 1.0f, name);
                 tl_gbuffer_destroy(g);

@@ -120,6 +120,32 @@ const hard_case hard_cases[] = {
      "Numbers are repaired where they enter; and without that they stay in their pixel.",
      "overte 2297", "pixels beside: the same bits", "a mean over neighbours of a plane",
      hard_nan_pixel},
+    {26, "own-shadow",
+     "A surface aslant to the light darkens itself in stripes; a bias that is large enough for "
+     "it parts shadows from what casts them.",
+     "Texels have slopes, from which follows what a surface rises by between their centre and "
+     "a place.",
+     "godot 38932, panda3d 547, cubos 1308",
+     "points of planes and folds at many angles, in every kind of map: all light arrives",
+     "a constant bias of a texel's width", hard_own_shadow},
+    {27, "far-shadow",
+     "Depths stored as 1 - near/w cannot tell surfaces apart that are far from a light.",
+     "near/w is stored, whose rounding is a share of the distance, whatever near is.",
+     "playcanvas 524",
+     "points behind and before a plate by 0.01 to 1 % of their distance: dark or lit",
+     "1 - near/w", hard_far_shadow},
+    {28, "cube-seam",
+     "A filter at the edge of a cube map's side leaves its view: a seam of light or dark.",
+     "Views are wider than their sides by what the widest filter needs.",
+     "urho3d 2606, sbox 10960",
+     "points within half a filter of a side's edges: lit on a plane, dark behind it",
+     "views of 90 degrees, and light beyond them", hard_cube_seam},
+    {29, "flat-occlusion",
+     "Ambient occlusion darkens planes, most where they are seen aslant, as if they hid "
+     "themselves.",
+     "Only what rises above the pixel's own plane counts, by its own place.",
+     "OloEngineBase 408, QGIS 49702", "pixels of planes at many angles: exactly open",
+     "depths of points in the hemisphere, with a constant bias", hard_flat_occlusion},
 };
 
 const size_t hard_case_count = COUNT_OF(hard_cases);

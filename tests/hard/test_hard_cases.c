@@ -1,4 +1,5 @@
-/* Do the cases come out right that bounds, lists and shading have been wrong in elsewhere?
+/* Do the cases come out right that bounds, lists, shading, shadows and ambient occlusion have been wrong in
+ * elsewhere?
  *
  *     test_hard_cases [--list] [--json FILE] [NAME|NUMBER]...
  *
