@@ -349,6 +349,8 @@ FAULTS = [
     Fault("layers-rank", "of panes at one place one is there", "raster/shaders/peel.glsl",
           "(depth < before || (depth == before && rank > taken.r))", "depth < before",
           "test_layers_panes", []),
+    Fault("layers-by-rank", "what is peeled next goes by the order of triangles", "raster/shaders/peel.glsl",
+          "(depth < before || (depth == before && rank > taken.r))", "(rank > taken.r)", *hard("pane-order")),
     Fault("layers-hidden", "what is behind a wall is a layer before it", "raster/shaders/peel.glsl",
           "depth >= texelFetch(back, at, 0).r && ", "", "test_layers_panes", []),
     Fault("layers-on", "panes behind one that hides them are peeled", "raster/shaders/peel.glsl",

@@ -146,6 +146,16 @@ const hard_case hard_cases[] = {
      "Only what rises above the pixel's own plane counts, by its own place.",
      "OloEngineBase 408, QGIS 49702", "pixels of planes at many angles: exactly open",
      "depths of points in the hemisphere, with a constant bias", hard_flat_occlusion},
+#ifdef TL_HARD_CAPTURE
+    {30, "pane-order",
+     "Surfaces that blend are drawn in the order of their centres, and are wrong where they "
+     "cut "
+     "each other.",
+     "They are peeled pixel by pixel, by the bits of their depths.",
+     "facemask-plugin 66, upbge 878",
+     "pixels of ten panes that cross, where rays tell: as those are blended",
+     "sorted by their centres", hard_pane_order},
+#endif
 };
 
 const size_t hard_case_count = COUNT_OF(hard_cases);

@@ -105,5 +105,6 @@ void hard_own_shadow(hard_bench *bench);
 void hard_far_shadow(hard_bench *bench);
 void hard_cube_seam(hard_bench *bench);
 void hard_flat_occlusion(hard_bench *bench);
+void hard_pane_order(hard_bench *bench);
 
 #endif
