@@ -51,6 +51,11 @@ add_test(NAME shadows_page_is_made
          COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/scripts/make-shadows-page --check)
 set_tests_properties(shadows_page_is_made PROPERTIES LABELS unit)
 
+# Is the table of the page on translucency that of the committed result?
+add_test(NAME translucency_page_is_made
+         COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/scripts/make-translucency-page --check)
+set_tests_properties(translucency_page_is_made PROPERTIES LABELS unit)
+
 # Is the table of the page on captures that of the committed result?
 add_test(NAME captures_page_is_made
          COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/scripts/make-captures-page --check)
