@@ -1,7 +1,6 @@
 # Compiled programs kept on disk.
 tl_test(test_program_cache unit tl_lighting)
 tl_test(test_program_key device tl_lighting)
-tl_test(test_part_options device tl_lighting)
 tl_test(test_program_stale device tl_lighting)
 foreach(call clCreateProgramWithSource clCreateProgramWithBinary)
     target_link_options(test_program_stale PRIVATE -Wl,--wrap=${call})

@@ -1,7 +1,7 @@
 #include "kernel_program.h"
 
 #include "embedded_kernels.h"
-#include "part_options.h"
+#include "layout.h"
 #include "try.h"
 #include "user_kernel.h"
 
@@ -252,6 +252,52 @@ static int is_same(const tl_program *a, const tl_program *b)
            strcmp(a->user.entry, b->user.entry) == 0 && a->user.items == b->user.items;
 }
 
+/* Culling reads where surfaces are, and nothing else of them: planes that move no word of that may as
+ * well be absent. */
+static uint32_t present_to_cull(uint32_t layout, uint32_t present)
+{
+    const tl_layout *row = &tl_layouts[layout];
+    uint32_t before = 0;
+    for (tl_u32 i = 0; i < TL_MAX_WORDS; i++)
+        if (row->words[i].planes & (1u << TL_DEPTH))
+            before = i + 1;
+    uint32_t needed = TL_GROUP_BASE & present;
+    for (tl_u32 i = 0; i < before; i++)
+        if (word_bytes(row, present, i) != word_bytes(row, needed, i))
+            needed = present;
+    return needed;
+}
+
+/* Surroundings are made of depths and normals. */
+static tl_kernel_options options_to_occlude(const tl_kernel_options *o)
+{
+    return (tl_kernel_options){.width = o->width,
+                               .by_pixel = o->by_pixel,
+                               .real_double = o->real_double,
+                               .orthographic = o->orthographic,
+                               .layout = o->layout,
+                               .present = o->present,
+                               .surroundings = o->surroundings};
+}
+
+static tl_kernel_options options_of(tl_program_part part, const tl_kernel_options *o)
+{
+    if (part == TL_PART_SHADE)
+        return *o;
+    if (part == TL_PART_OCCLUDE)
+        return options_to_occlude(o);
+    if (part == TL_PART_BLEND)
+        return (tl_kernel_options){
+            .width = o->width, .by_pixel = o->by_pixel, .real_double = o->real_double};
+    return (tl_kernel_options){.width = o->width,
+                               .by_pixel = o->by_pixel,
+                               .real_double = o->real_double,
+                               .orthographic = o->orthographic,
+                               .layout = o->layout,
+                               .present = present_to_cull(o->layout, o->present),
+                               .spots = o->spots};
+}
+
 tl_status tl_program_find(tl_device *device,
                           tl_program_part part,
                           const tl_kernel_options *options,
@@ -259,7 +305,7 @@ tl_status tl_program_find(tl_device *device,
                           const tl_program **out,
                           tl_error *err)
 {
-    tl_program built = {.part = part, .options = tl_part_options(part, options)};
+    tl_program built = {.part = part, .options = options_of(part, options)};
     if (user && part == TL_PART_SHADE)
         built.user = *user;
     if (!device->programs)

@@ -105,9 +105,6 @@ FAULTS = [
           "    columns = c->frame.tiles_x;\n"
           "    c->frame.list_capacity = capacity_of(c, TL_BUFFER_LIST);\n"
           "    c->frame.cell_capacity = capacity_of(c, TL_BUFFER_CELL_LIST);", *hard("resize")),
-    Fault("program-shared", "layouts whose depth's last word differs in size share what culls",
-          "host/lighting/part_options.c", "i < words_up_to(of_a); i++", "i + 1 < words_up_to(of_a); i++",
-          "test_part_options", []),
     Fault("tiles-down", "tiles are counted down", "host/frame/frame.c",
           ".tiles_x = (camera->width + tile_size - 1) / tile_size,",
           ".tiles_x = (camera->width + tile_size - 2) / tile_size,", *hard("odd-sizes")),
