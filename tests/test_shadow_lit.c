@@ -143,7 +143,7 @@ static void count_notice(void *context, const char *text)
 }
 
 /* Lights that ask for none leave no trace in what kernels are built with, nor in their buffers; those that
- * ask for a map that is not there are told of. */
+ * ask for a map that is not there are told of, unless they give no light. */
 static void only_askers_pay(void **state)
 {
     frame f;
@@ -169,6 +169,10 @@ static void only_askers_pay(void **state)
     tl_prepared asked = prepared_of(&f, &notices);
     assert_int_equal(told, 1);
     assert_memory_equal(&asked.needs, &never.needs, sizeof asked.needs);
+    f.lights.lights[0].intensity = 0.0f;
+    tl_prepared black = prepared_of(&f, &notices);
+    assert_int_equal(told, 1);
+    tl_prepared_clear(&black);
     tl_prepared_clear(&asked);
     tl_prepared_clear(&never);
     tl_prepared_clear(&off);

@@ -299,14 +299,17 @@ static void tell_of_rows(const tl_gbuffer *gbuffer,
             "it with --materials");
 }
 
-/* Lights that ask for what the capture lacks. */
+/* Lights of the frame that ask for what the capture lacks; those that give nothing are none of it. */
 static void tell_of_shadows(const tl_gbuffer *gbuffer,
                             const tl_light_set *lights,
+                            const tl_prepared *prepared,
                             const tl_notices *notices)
 {
     size_t count = 0;
-    for (size_t i = 0; i < lights->count; i++)
-        count += lights->lights[i].casts_shadow && !tl_shadow_of(gbuffer, &lights->lights[i]);
+    for (uint32_t i = 0; i < prepared->frame.light_count; i++) {
+        const tl_light *light = &lights->lights[prepared->sources[i]];
+        count += light->casts_shadow && !tl_shadow_of(gbuffer, light);
+    }
     if (count > 0)
         tl_notice(notices,
                   "%zu light%s without the shadow%s asked for, for the capture has no map of "
@@ -370,7 +373,7 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
         TRY(add_rows(prepared, &table, err));
     name_empty_cones(lights, notices);
     tell_of_rows(gbuffer, lights, &table, notices);
-    tell_of_shadows(gbuffer, lights, notices);
+    tell_of_shadows(gbuffer, lights, prepared, notices);
     tell_of_occlusion(lights, &prepared->needs, notices);
     if (options->effects != TL_EFFECTS_ALL)
         TRY(tl_choices_open(prepared, err));

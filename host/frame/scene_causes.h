@@ -35,7 +35,8 @@ void tl_causes_of_light(tl_explanation *explanation,
                         uint32_t index,
                         int is_global);
 
-/* Adds what a layer of the frame calls for, which is lit by itself: *explanation becomes that of the whole. */
+/* Adds what a layer of the frame calls for, which is lit by itself: *explanation becomes that of the whole.
+ * */
 void tl_causes_of_layer(tl_explanation *explanation, const tl_explanation *layer);
 
 /* What kernels are built for by planes, layout and models; no effect is switched on. */

@@ -291,6 +291,11 @@ FAULTS = [
     Fault("shadow-memory", "maps take more than they may", "raster/gl/shadow_budget.c",
           "octave_within(memory, needs", "octave_within(2 * memory, needs",
           "test_shadow_plan", []),
+    Fault("shadow-told", "lights that give nothing are told to lack their shadows", "host/frame/frame.c",
+          "for (uint32_t i = 0; i < prepared->frame.light_count; i++) {\n        const tl_light *light = "
+          "&lights->lights[prepared->sources[i]];",
+          "for (size_t i = 0; i < lights->count; i++) {\n        const tl_light *light = &lights->lights[i];",
+          "test_shadow_lit", []),
     Fault("shadow-filter-places", "what a place may be off is not followed to its texels",
           "host/reference/allowance_shadow.c", "(d.x + d.y) / filter +", "", "test_shadow_lit", []),
     Fault("shadow-half-fall", "half of what a surface falls by from a texel is counted", "kernels/shadow.h",
