@@ -10,8 +10,8 @@
 #include "dialect.h"
 #include "ranges.h"
 
-/* Radiance of one colour. opacity: 0 to 1; behind, and lit where opacity is not 0: 0 to TL_MOST_FLOAT, at which
- * rounding is cut. */
+/* Radiance of one colour. opacity: 0 to 1; behind, and lit where opacity is not 0: 0 to TL_MOST_FLOAT, at
+ * which rounding is cut. */
 TL_INLINE real blended(real opacity, real lit, real behind)
 {
     const real sum = FMA(opacity, lit, (R(1.0) - opacity) * behind);

@@ -106,8 +106,8 @@ TL_INLINE received add_listed_lights(received sum,
 }
 
 /* The same by models that are not plain: add_ranged_light in three steps, for the reasons above. Floor of
- * metal-rough, AVX-512: roots of the distance, of v.h and of the masked cosine, and quotients by the
- * distance and of the lobe, 5 that block one pipe for 10 cycles each: 50 a kept light; of Blinn's power 32. */
+ * metal-rough, AVX-512: roots of the distance, of v.h and of the masked cosine, and quotients by the distance
+ * and of the lobe, 5 that block one pipe for 10 cycles each: 50 a kept light; of Blinn's power 32. */
 TL_INLINE received add_reflected_lights(received sum,
                                         tl_needs needs,
                                         surface s,

@@ -35,12 +35,12 @@
  *      sum of products ahead (in the corner of a cube's view |v| is 1.8 of what is ahead), 6u for quotient
  *      and product on devices: TL_SHADOW_DEPTH.
  *
- * Beyond that, what folds within a texel has slopes that no texel's centre tells of: the point is moved towards
- * the light by TL_SHADOW_OFFSET texels. Not along its normal, which would take it through the other side of a
- * corner.
+ * Beyond that, what folds within a texel has slopes that no texel's centre tells of: the point is moved
+ * towards the light by TL_SHADOW_OFFSET texels. Not along its normal, which would take it through the other
+ * side of a corner.
  *
- * The slope of a normal grows beyond bounds towards grazing angles, and so would b; from TL_SHADOW_GRAZING on it
- * is cut, for there is little light to lose, and the texels around still tell the true one.
+ * The slope of a normal grows beyond bounds towards grazing angles, and so would b; from TL_SHADOW_GRAZING on
+ * it is cut, for there is little light to lose, and the texels around still tell the true one.
  *
  * tests/test_shadow_formulas.c has planes, folds and edges at every angle; tests/test_shadow_rays.c
  * holds whole scenes against rays. */
@@ -234,8 +234,8 @@ TL_INLINE real covered(tl_u32 i, tl_u32 filter, real part)
     return i == 0u ? (real)R(1.0) - part : i == filter ? part : (real)R(1.0);
 }
 
-/* The share of light at a place with slopes around it, exactly 0 and exactly 1 where texels agree. numbers: the buffer of
- * lights. */
+/* The share of light at a place with slopes around it, exactly 0 and exactly 1 where texels agree. numbers:
+ * the buffer of lights. */
 TL_INLINE real share_at(tl_numbers numbers, tl_view_shadow map, shadow_place at, scalar off)
 {
     const tl_numbers texels = texels_of_shadow(numbers, map);

@@ -339,8 +339,8 @@ static void distance_is_no_sky(void **state)
     tl_gbuffer_destroy(seen);
 }
 
-/* Exactly there, for all numbers of both projections are whole. Neither normals nor tangents have a length, so
- * what a normal map makes of them is not a number. */
+/* Exactly there, for all numbers of both projections are whole. Neither normals nor tangents have a length,
+ * so what a normal map makes of them is not a number. */
 static void the_far_plane_is_no_sky_and_no_normal_stays_none(void **state)
 {
     static const uint8_t texel[4] = {128, 128, 255, 255};

@@ -150,8 +150,8 @@ static void nothing_is_added_in_any_layout(void **state)
     free(text);
 }
 
-/* Alpha has its modes as elsewhere, BLEND without layers: the picture's left half, of alpha 0.4, is a hole unless
- * it is opaque. */
+/* Alpha has its modes as elsewhere, BLEND without layers: the picture's left half, of alpha 0.4, is a hole
+ * unless it is opaque. */
 static void alpha_modes_still_apply(void **state)
 {
     static const uint8_t halves[8] = {255, 255, 255, 102, 255, 255, 255, 255};

@@ -89,8 +89,9 @@ static void golden_frames(void **state)
     }
 }
 
-/* Every material under every projection, by lights that know of neither: of points, of spots, of shapes. Those
- * of shapes and of spots have kernels of their own, which are built for one material and projection each. */
+/* Every material under every projection, by lights that know of neither: of points, of spots, of shapes.
+ * Those of shapes and of spots have kernels of their own, which are built for one material and projection
+ * each. */
 static void pixels_at_the_limits(void **state)
 {
     static const struct {

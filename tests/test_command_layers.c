@@ -1,5 +1,5 @@
-/* Do layers go from a scene to its picture by the program: captured, counted, listed, lit, and are numbers of them
- * that are none refused? */
+/* Do layers go from a scene to its picture by the program: captured, counted, listed, lit, and are numbers of
+ * them that are none refused? */
 #define _GNU_SOURCE
 #include "program.h"
 

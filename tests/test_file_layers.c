@@ -1,5 +1,5 @@
-/* Do layers come back from a G-buffer's file as they went in, in every layout, and are damaged ones refused or
- * repaired? */
+/* Do layers come back from a G-buffer's file as they went in, in every layout, and are damaged ones refused
+ * or repaired? */
 #include "layered_frames.h"
 
 #include "camera_attributes.h"

@@ -1,5 +1,6 @@
 /* Are layers lit as the frames that they are and blended over what lies behind, with the same bits by every
- * path and width, in bands, and by the twin? Are fewer of them the nearest, and do frames without pay nothing?
+ * path and width, in bands, and by the twin? Are fewer of them the nearest, and do frames without pay
+ * nothing?
  *
  * The oracle lights each layer alone, as a frame without layers, and blends in double. */
 #include "layered_frames.h"

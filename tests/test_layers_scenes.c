@@ -1,9 +1,9 @@
 #define _GNU_SOURCE
 /* Is a scene whose surfaces blend what its surfaces are one by one, put together in double?
  *
- * The oracle captures what does not blend, and each surface that does alone and opaque, lights each in double,
- * and blends them pixel by pixel in the order of their depths. How opaque a surface is it learns of a capture
- * of that alone, too, and holds that against what alphaMode MASK leaves of it. */
+ * The oracle captures what does not blend, and each surface that does alone and opaque, lights each in
+ * double, and blends them pixel by pixel in the order of their depths. How opaque a surface is it learns of a
+ * capture of that alone, too, and holds that against what alphaMode MASK leaves of it. */
 #include "assets.h"
 #include "edited_gltf.h"
 #include "frames.h"
@@ -162,8 +162,8 @@ static int nearer(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Those at a pixel that a surface of this depth does not hide, nearest first; 0: two of them may lie the other
- * way round. */
+/* Those at a pixel that a surface of this depth does not hide, nearest first; 0: two of them may lie the
+ * other way round. */
 static int gather(
     const piece *pieces, size_t count, size_t at, double behind, fragment *out, size_t *found)
 {

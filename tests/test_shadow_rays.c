@@ -46,8 +46,8 @@ static const scene_case cases[] = {
      &along_nave},
 };
 
-/* Surfaces that get less than a hundredth of what the light gives head on count for neither: by normals, which
- * maps of 8 bits turn by half of that, they are edge-on to it. */
+/* Surfaces that get less than a hundredth of what the light gives head on count for neither: by normals,
+ * which maps of 8 bits turn by half of that, they are edge-on to it. */
 static const real least_cosine = 0.01f;
 
 /* A frame, and its scene for rays. */
@@ -140,8 +140,8 @@ static void find_facets(void *context, size_t begin, size_t end)
             find_facet(context, column, (uint32_t)row);
 }
 
-/* Whether the triangle turns its side that is seen to the light, too, as its normal in the picture does: where
- * it does not, which side of it the surface is on is for normals to say and for rays to deny. */
+/* Whether the triangle turns its side that is seen to the light, too, as its normal in the picture does:
+ * where it does not, which side of it the surface is on is for normals to say and for rays to deny. */
 static bool facet_faces(const frame *f, uint32_t column, uint32_t row, vec3 l, real distance)
 {
     const double *const n = f->facets[(size_t)row * WIDTH + column];

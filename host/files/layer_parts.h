@@ -19,9 +19,9 @@ tl_status tl_layer_attribute_write(tl_exr_stream *stream,
                                    uint32_t index,
                                    tl_error *err);
 
-/* Reads all layers of an open file into *out, whose surface is read and is of this header; what is no layer is
- * left alone. On failure some may be there. Fails with TL_ERR_FORMAT, naming part and attribute or channel,
- * TL_ERR_READ, TL_ERR_UNSUPPORTED or TL_ERR_MEMORY. */
+/* Reads all layers of an open file into *out, whose surface is read and is of this header; what is no layer
+ * is left alone. On failure some may be there. Fails with TL_ERR_FORMAT, naming part and attribute or
+ * channel, TL_ERR_READ, TL_ERR_UNSUPPORTED or TL_ERR_MEMORY. */
 tl_status tl_layer_parts_read(tl_exr_reader *reader,
                               const tl_gbuffer_header *header,
                               tl_gbuffer *out,

@@ -72,7 +72,8 @@ static void pack_rows(void *context, size_t begin, size_t end)
         atomic_fetch_add(&j->cut[p], cut[p]);
 }
 
-/* `made`, of the layout and planes of choice, becomes what `from` is; *sum is raised by what was lost and cut. */
+/* `made`, of the layout and planes of choice, becomes what `from` is; *sum is raised by what was lost and
+ * cut. */
 static tl_status pack_surface(const tl_gbuffer *from,
                               bool to_phong,
                               tl_gbuffer *made,

@@ -78,7 +78,8 @@ void tl_faults_note(tl_faults *faults, uint32_t row, uint32_t column, int plane)
 /* Where a plane is named, that of a layer's opacity. */
 enum { TL_OPACITY_FAULT = TL_PLANE_COUNT };
 
-/* Of a layer whose words are repaired: where there is sky, opacity is 0. Finds the rows that show something. */
+/* Of a layer whose words are repaired: where there is sky, opacity is 0. Finds the rows that show something.
+ * */
 void tl_repair_opacity(tl_gbuffer *layer, tl_faults *faults);
 
 /* Of a G-buffer that is not in full float; finds its slack. */

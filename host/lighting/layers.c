@@ -1,5 +1,5 @@
-/* Layers of a frame: each is lit as a frame of its own, with lists and buffers of its own, and blended over the
- * picture, from the farthest to the nearest. */
+/* Layers of a frame: each is lit as a frame of its own, with lists and buffers of its own, and blended over
+ * the picture, from the farthest to the nearest. */
 #include "lighting_state.h"
 #include "scene_causes.h"
 #include "try.h"

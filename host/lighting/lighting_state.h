@@ -29,8 +29,8 @@ struct tl_lighting {
 /* Whether it lights without OpenCL. */
 int tl_lighting_is_on_host(const tl_lighting *lighting);
 
-/* Lights a surface alone; a layer, over what the image has: lit is where its radiance goes, of the image's size,
- * NULL where the device does not share memory. As tl_lighting_run. */
+/* Lights a surface alone; a layer, over what the image has: lit is where its radiance goes, of the image's
+ * size, NULL where the device does not share memory. As tl_lighting_run. */
 tl_status tl_lighting_surface(tl_lighting *lighting,
                               const tl_gbuffer *gbuffer,
                               const tl_light_set *lights,

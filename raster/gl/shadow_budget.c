@@ -1,7 +1,7 @@
 /* Of a light's pixels, as many lie within a texel of a shadow's edge as texels are wide: with `pixels` in its
  * reach and `wanted` texels each way, with which one is as wide as a pixel, a share of them that goes with
- * wanted/size. The sum of pixels wanted/size over all maps, under a sum of views size^2 that is the memory, is
- * least where
+ * wanted/size. The sum of pixels wanted/size over all maps, under a sum of views size^2 that is the memory,
+ * is least where
  *
  *     size^3 = scale (pixels wanted / views),
  *

@@ -80,8 +80,8 @@ static bool find_cone(const planning *p, const float position[3], float axis[3],
     return length2 > 0.0 && *angle < (double)TL_WIDEST_SHADOW_CONE;
 }
 
-/* Point lights, and spots, see as little as they have to: their cone, or all that the camera sees. Returns the
- * tangent of half of how wide their view is. */
+/* Point lights, and spots, see as little as they have to: their cone, or all that the camera sees. Returns
+ * the tangent of half of how wide their view is. */
 static double choose_view(const planning *p, const tl_light *light, tl_shadow_map *map)
 {
     float axis[3];

@@ -19,10 +19,10 @@ tl_status tl_seen_points_of(const tl_gbuffer *gbuffer, tl_seen_points *out, tl_e
 
 void tl_seen_points_clear(tl_seen_points *points);
 
-/* Into *need, whose views are known: texels each way, within the limits of `kind`, of a map of this light, about
- * as few as give nine in ten of the points that the light may reach a texel there that is no wider than their
- * pixel; and how many these are. A map of a
- * position is 2 tangent wide at 1 m along its view, a directional light's is `span` m wide. */
+/* Into *need, whose views are known: texels each way, within the limits of `kind`, of a map of this light,
+ * about as few as give nine in ten of the points that the light may reach a texel there that is no wider than
+ * their pixel; and how many these are. A map of a position is 2 tangent wide at 1 m along its view, a
+ * directional light's is `span` m wide. */
 void tl_shadow_need_of(const tl_seen_points *points,
                        const tl_light *light,
                        uint32_t kind,

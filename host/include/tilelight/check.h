@@ -29,11 +29,11 @@ typedef enum tl_cosine {
 /* What a frame should look like. */
 typedef struct tl_check tl_check;
 
-/* gbuffer (repaired) and lights are borrowed while *out lives; layers are blended. Of a packed G-buffer the frame is what
- * tl_gbuffer_unpack makes of it, in which every position is on its pixel's ray: that is what pictures have
- * to be lit from, as they are by a user's kernel. light_cutoff as in tl_lighting_options. The caller
- * releases *out with tl_check_destroy. Fails with TL_ERR_ARGUMENT, TL_ERR_FORMAT (a row of
- * materials leads nowhere, an index has none) or TL_ERR_MEMORY. */
+/* gbuffer (repaired) and lights are borrowed while *out lives; layers are blended. Of a packed G-buffer the
+ * frame is what tl_gbuffer_unpack makes of it, in which every position is on its pixel's ray: that is what
+ * pictures have to be lit from, as they are by a user's kernel. light_cutoff as in tl_lighting_options. The
+ * caller releases *out with tl_check_destroy. Fails with TL_ERR_ARGUMENT, TL_ERR_FORMAT (a row of materials
+ * leads nowhere, an index has none) or TL_ERR_MEMORY. */
 tl_status tl_check_create(const tl_gbuffer *gbuffer,
                           const tl_light_set *lights,
                           float light_cutoff,
@@ -94,8 +94,8 @@ typedef struct tl_check_light {
     double low[3], high[3]; /* what it adds, linear Rec. 709 */
 } tl_check_light;
 
-/* The lights that add to pixel (x, y) of the surfaces, behind all layers, in index order: *count of them, of which the
- * first `capacity` are written to out. Cannot fail. */
+/* The lights that add to pixel (x, y) of the surfaces, behind all layers, in index order: *count of them, of
+ * which the first `capacity` are written to out. Cannot fail. */
 void tl_check_lights(const tl_check *check,
                      uint32_t x,
                      uint32_t y,

@@ -83,8 +83,8 @@ typedef struct tl_gbuffer {
     tl_material_names materials; /* none where nobody named them */
     tl_shadow_maps shadows; /* of lights that were to cast shadows; owned; a layer has none */
     tl_layers layers; /* of surfaces that blend, before this one; owned; a layer has none */
-    /* Of a layer: whose it is, and [rows][pitch], owned, aligned as the planes: 0 where nothing is, to 1. NULL
-     * of others. */
+    /* Of a layer: whose it is, and [rows][pitch], owned, aligned as the planes: 0 where nothing is, to 1.
+     * NULL of others. */
     const struct tl_gbuffer *layer_of;
     float *opacity;
     /* Rows from .. to - 1 have all that the layer shows: all rows until tl_gbuffer_repair has found them.
@@ -148,10 +148,10 @@ typedef struct tl_repairs {
 } tl_repairs;
 
 /* Makes every pixel safe to light, and sky pixels hold the values of `TL_PLANES` for nothing hit; in layers,
- * too, which have no opacity where there is sky; of any layout, by what kernels read in float and in double. Finds the slack of stored positions, which planes
- * are neutral, whether the frame is dark, and its indices. On all threads. *out may be NULL. With
- * `strict`, fails with TL_ERR_FORMAT at the first pixel that would need it, naming pixel and channel (of
- * a packed one the attribute), and `name` (a file) in front. */
+ * too, which have no opacity where there is sky; of any layout, by what kernels read in float and in double.
+ * Finds the slack of stored positions, which planes are neutral, whether the frame is dark, and its indices.
+ * On all threads. *out may be NULL. With `strict`, fails with TL_ERR_FORMAT at the first pixel that would
+ * need it, naming pixel and channel (of a packed one the attribute), and `name` (a file) in front. */
 tl_status tl_gbuffer_repair(
     tl_gbuffer *gbuffer, const char *name, bool strict, tl_repairs *out, tl_error *err);
 

@@ -26,8 +26,8 @@ typedef struct tl_layers {
     uint64_t left;          /* pixels in which one more would show something */
 } tl_layers;
 
-/* Appends an empty layer of `of`, all sky and opacity 0, which of->layers owns: *out, which may be NULL. Fails
- * with TL_ERR_MEMORY. */
+/* Appends an empty layer of `of`, all sky and opacity 0, which of->layers owns: *out, which may be NULL.
+ * Fails with TL_ERR_MEMORY. */
 tl_status tl_layers_add(struct tl_gbuffer *of, struct tl_gbuffer **out, tl_error *err);
 
 /* Of layers of the same extent. */

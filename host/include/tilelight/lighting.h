@@ -177,14 +177,14 @@ tl_status tl_lighting_create(tl_device *device,
 /* Accepts NULL. */
 void tl_lighting_destroy(tl_lighting *lighting);
 
-/* Lights one frame, of any layout, that tl_gbuffer_repair has been through: its surfaces, then its layers over
- * them, from the farthest to the nearest. *image has the G-buffer's size and is written in full. A user's kernel is given full float: for it a packed
- * frame is unpacked first, anew for every frame. Compiles kernels where the scene needs ones it
- * has not needed before; allocates only where a frame is larger, or has more lights, than every
- * one before. A frame that does not fit memory_limit is lit in bands of tile rows, with the
- * same bits. timings, notices, counts may be NULL. Fails with TL_ERR_ARGUMENT (sizes differ;
- * one row of tiles is beyond memory_limit), TL_ERR_FORMAT (a row of materials leads nowhere, an
- * index has none; a user's kernel does not compile), TL_ERR_DEVICE or TL_ERR_MEMORY. */
+/* Lights one frame, of any layout, that tl_gbuffer_repair has been through: its surfaces, then its layers
+ * over them, from the farthest to the nearest. *image has the G-buffer's size and is written in full. A
+ * user's kernel is given full float: for it a packed frame is unpacked first, anew for every frame. Compiles
+ * kernels where the scene needs ones it has not needed before; allocates only where a frame is larger, or has
+ * more lights, than every one before. A frame that does not fit memory_limit is lit in bands of tile rows,
+ * with the same bits. timings, notices, counts may be NULL. Fails with TL_ERR_ARGUMENT (sizes differ; one row
+ * of tiles is beyond memory_limit), TL_ERR_FORMAT (a row of materials leads nowhere, an index has none; a
+ * user's kernel does not compile), TL_ERR_DEVICE or TL_ERR_MEMORY. */
 tl_status tl_lighting_run(tl_lighting *lighting,
                           const tl_gbuffer *gbuffer,
                           const tl_light_set *lights,
@@ -194,7 +194,8 @@ tl_status tl_lighting_run(tl_lighting *lighting,
                           tl_lighting_counts *counts,
                           tl_error *err);
 
-/* What the last frame called for, its layers included, and why. *out is all zero before the first. Cannot fail. */
+/* What the last frame called for, its layers included, and why. *out is all zero before the first. Cannot
+ * fail. */
 void tl_lighting_explain(const tl_lighting *lighting, tl_explanation *out);
 
 /* Of each tile of the last frame, layers left out, how many lights with a range it lists: [tiles_y][tiles_x],
@@ -214,11 +215,11 @@ typedef struct tl_effect_use {
 /* Until the next frame. NULL unless the options ask to keep tiles' lights. */
 const tl_effect_use *tl_lighting_effect_use(const tl_lighting *lighting);
 
-/* Shades the last frame once more, without its layers, from the lists that are there, by kernels that lack some of its effects
- * (bits 1 << tl_effect): *ms is the device's time for that. *image, of the frame's size, becomes what they
- * give, another picture where the frame has such an effect. gbuffer: that of the last frame. Fails with
- * TL_ERR_UNSUPPORTED on the CPU paths and where the frame was lit in bands, TL_ERR_DEVICE or
- * TL_ERR_MEMORY. */
+/* Shades the last frame once more, without its layers, from the lists that are there, by kernels that lack
+ * some of its effects (bits 1 << tl_effect): *ms is the device's time for that. *image, of the frame's size,
+ * becomes what they give, another picture where the frame has such an effect. gbuffer: that of the last
+ * frame. Fails with TL_ERR_UNSUPPORTED on the CPU paths and where the frame was lit in bands, TL_ERR_DEVICE
+ * or TL_ERR_MEMORY. */
 tl_status tl_lighting_shade_without(tl_lighting *lighting,
                                     const tl_gbuffer *gbuffer,
                                     uint32_t effects,

@@ -8,9 +8,8 @@
 extern "C" {
 #endif
 
-/* Samples a pixel: slices of its hemisphere, times two sides, times looks to each: steps away from the pixel, and
- * halvings of the one at which its horizon is.
- * X(samples, slices, steps, halvings) */
+/* Samples a pixel: slices of its hemisphere, times two sides, times looks to each: steps away from the pixel,
+ * and halvings of the one at which its horizon is. X(samples, slices, steps, halvings) */
 #define TL_OCCLUSION_SAMPLES(X) \
     X(8, 1, 2, 1)               \
     X(16, 2, 2, 1)              \

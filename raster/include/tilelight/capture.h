@@ -33,16 +33,16 @@ typedef struct tl_capture_options {
     const char *animation;
     double time;
     bool has_time; /* false: time is 0 where an animation is named */
-    /* Shadow maps: of the lights that ask for them among shadow_lights, NULL: among the scene's own; of all of
-     * the scene's own with all_shadows, which then ask for them. shadow_memory: bytes of all maps at most, 0:
-     * TL_DEFAULT_SHADOW_MEMORY. shadow_near: m ahead of a light from which on surfaces are in its map, for
+    /* Shadow maps: of the lights that ask for them among shadow_lights, NULL: among the scene's own; of all
+     * of the scene's own with all_shadows, which then ask for them. shadow_memory: bytes of all maps at most,
+     * 0: TL_DEFAULT_SHADOW_MEMORY. shadow_near: m ahead of a light from which on surfaces are in its map, for
      * lamps that would keep their own light in; 0: a 100000th of the scene's extent. */
     const tl_light_set *shadow_lights;
     bool all_shadows;
     uint64_t shadow_memory;
     double shadow_near;
-    /* Of surfaces that blend (layers.h), TL_MOST_LAYERS at most; 0: TL_DEFAULT_LAYERS. Without layers they are
-     * shown as opaque where their alpha is at least half, which is told. */
+    /* Of surfaces that blend (layers.h), TL_MOST_LAYERS at most; 0: TL_DEFAULT_LAYERS. Without layers they
+     * are shown as opaque where their alpha is at least half, which is told. */
     uint32_t layers;
     bool without_layers;
 } tl_capture_options;
@@ -53,9 +53,9 @@ typedef struct tl_capture_options {
  * metallic and roughness they become a Phong material (kernels/material.h); what else it has no place for
  * is named in a notice. Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED (an extension the file
  * requires; a layout whose convention of depth this camera has not; more than TL_MAX_MATERIALS with
- * `materials`; more than 2^24 triangles that blend), TL_ERR_ARGUMENT (size, samples, layers, camera, anisotropy, time, animation, variant),
- * TL_ERR_MEMORY or TL_ERR_DEVICE (OpenGL), naming the file and the node, mesh, accessor, image or extension
- * concerned. */
+ * `materials`; more than 2^24 triangles that blend), TL_ERR_ARGUMENT (size, samples, layers, camera,
+ * anisotropy, time, animation, variant; shadow maps beyond shadow_memory at their smallest), TL_ERR_MEMORY or
+ * TL_ERR_DEVICE (OpenGL), naming the file and the node, mesh, accessor, image or extension concerned. */
 tl_status tl_capture(const char *path,
                      const tl_capture_options *options,
                      tl_gbuffer **out,
