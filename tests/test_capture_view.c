@@ -191,6 +191,12 @@ static void lights_come_along(void **state)
           .range = INFINITY,
           .inner_cone = 0.25f,
           .outer_cone = 0.5f}},
+        {"{\"type\":\"point\",\"extras\":{\"group\":\"key\",\"other\":1}}",
+         {.color = {1, 1, 1}, .intensity = 1, .range = INFINITY, .group = "key"}},
+        {"{\"type\":\"point\",\"extras\":{\"group\":3}}",
+         {.color = {1, 1, 1}, .intensity = 1, .range = INFINITY}},
+        {"{\"type\":\"point\",\"extras\":\"group\"}",
+         {.color = {1, 1, 1}, .intensity = 1, .range = INFINITY}},
     };
     const tl_capture_options options = {.width = WIDTH, .height = HEIGHT};
     (void)state;
@@ -202,6 +208,7 @@ static void lights_come_along(void **state)
         assert_int_equal(taken.lights.count, 1);
         const tl_light *const got = &taken.lights.lights[0];
         assert_string_equal(got->name, "lamp");
+        assert_string_equal(got->group, want->group);
         assert_int_equal(got->type, want->type);
         assert_int_equal(got->falloff, TL_FALLOFF_INVERSE_SQUARE);
         assert_memory_equal(got->color, want->color, sizeof want->color);
@@ -215,6 +222,21 @@ static void lights_come_along(void **state)
         shot_clear(&taken);
         free(text);
     }
+}
+
+/* A light that several nodes have is in the group of each, where that says one. */
+static void a_node_says_the_group_first(void **state)
+{
+    const tl_capture_options options = {.width = WIDTH, .height = HEIGHT};
+    char *const text =
+        edited(scene_of_light("{\"type\":\"point\",\"extras\":{\"group\":\"key\"}}"),
+               "\"name\":\"lamp\"", "\"name\":\"lamp\",\"extras\":{\"group\":\"left\"}");
+    shot taken;
+    (void)state;
+    ASSERT_OK(shoot_text("view", text, &options, &taken), taken.err);
+    assert_string_equal(taken.lights.lights[0].group, "left");
+    shot_clear(&taken);
+    free(text);
 }
 
 static void bad_lights_are_refused(void **state)
@@ -264,6 +286,7 @@ int main(void)
         cmocka_unit_test(nothing_to_draw_is_sky),
         cmocka_unit_test(bands_join),
         cmocka_unit_test(lights_come_along),
+        cmocka_unit_test(a_node_says_the_group_first),
         cmocka_unit_test(bad_lights_are_refused),
         cmocka_unit_test(unknown_extensions_are_told_once),
     };

@@ -107,6 +107,37 @@ static void scenes_and_lights_are_told_apart(void **state)
     expect_run("echo '{}' >x.GLTF; $T info x.GLTF", 3, "", "is not valid glTF");
 }
 
+/* Each group once, by name, of lights files and of captures that hold them. */
+static void groups_are_counted(void **state)
+{
+    static const char grouped[] =
+        "{\"tilelight\": 1, \"lights\": ["
+        "{\"type\": \"point\", \"position\": [0, 1, 0], \"group\": \"rim\"},"
+        "{\"type\": \"point\", \"position\": [0, 2, 0], \"group\": \"key\"},"
+        "{\"type\": \"point\", \"position\": [0, 3, 0]},"
+        "{\"type\": \"point\", \"position\": [0, 4, 0], \"group\": \"rim\"}]}";
+    (void)state;
+    write_file("grouped.json", grouped, sizeof grouped - 1);
+    expect_run("$T info grouped.json", 0,
+               "group       \"key\", 1 light\n"
+               "group       \"rim\", 2 lights\n",
+               "");
+    json_t *const report = report_of("$T info --json grouped.json");
+    const char *first, *second;
+    json_int_t ones, twos;
+    json_t *const groups = json_object_get(json_object_get(report, "lights"), "groups");
+    assert_int_equal(json_unpack(groups, "[{s:s, s:I}, {s:s, s:I}!]", "name", &first, "lights",
+                                 &ones, "name", &second, "lights", &twos),
+                     0);
+    assert_string_equal(first, "key");
+    assert_string_equal(second, "rim");
+    assert_true(ones == 1 && twos == 2);
+    json_decref(report);
+    expect_run("$T capture $D/hall.gltf --size 16x9 -o g.exr && "
+               "$T info g.exr | grep -c ^group",
+               1, "0", "");
+}
+
 static void damage_is_said_as_capture_says_it(void **state)
 {
     static const char *const makes[] = {
@@ -137,6 +168,7 @@ int main(void)
         cmocka_unit_test_setup(json_lists_what_capture_takes, enter),
         cmocka_unit_test_setup(names_are_shown_as_they_are, enter),
         cmocka_unit_test_setup(scenes_and_lights_are_told_apart, enter),
+        cmocka_unit_test_setup(groups_are_counted, enter),
         cmocka_unit_test_setup(damage_is_said_as_capture_says_it, enter),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -78,7 +78,7 @@ static const struct {
      {"ambientOcclusion", "\"radios\"", "did you mean \"radius\""}},
 
     /* Of a later version. */
-    {POINT("\"group\": \"key\""), TL_ERR_UNSUPPORTED, {"group"}},
+    {POINT("\"group\": 3"), TL_ERR_FORMAT, {"lights[0]", "group", "string"}},
 
     {POINT("\"castsShadow\": 1"), TL_ERR_FORMAT, {"lights[0]", "castsShadow", "true or false"}},
 

@@ -53,6 +53,7 @@ static uint32_t next_table(uint32_t *random, tl_light_set *set)
 /* tables: of the set that it becomes part of; NULL: it has none. */
 static tl_light next_light(uint32_t *random, tl_light_set *tables)
 {
+    static const char *const groups[] = {"", "\"", "k\xc3\xa9", "key"};
     tl_light light = tl_light_default();
     light.type = (tl_light_type)((next_random(random) >> 16) % TL_LIGHT_TYPE_COUNT);
     for (int i = 0; i < 3; i++) {
@@ -83,6 +84,7 @@ static tl_light next_light(uint32_t *random, tl_light_set *tables)
     }
     snprintf(light.name, sizeof light.name, "light \"%u\" \\ \t\xc3\xa4\xe2\x82\xac",
              next_random(random));
+    strcpy(light.group, groups[next_random(random) >> 30]);
     return light;
 }
 
@@ -113,6 +115,7 @@ static void assert_same_lights(const tl_light_set *a, const tl_light_set *b)
     }
     for (size_t i = 0; i < a->count; i++) {
         assert_string_equal(a->lights[i].name, b->lights[i].name);
+        assert_string_equal(a->lights[i].group, b->lights[i].group);
         if (memcmp(&a->lights[i], &b->lights[i], offsetof(tl_light, name)) != 0)
             fail_msg("light %zu (%s) differs", i, a->lights[i].name);
     }
@@ -267,8 +270,8 @@ static void meaning(void **state)
         "  \"sky\": { \"type\": \"constant\", \"color\": [0.1, 0.2, 4] },\n"
         "  \"materials\": { \"model\": \"blinn-phong-normalized\" },\n"
         "  \"lights\": [\n"
-        "    { \"type\": \"directional\", \"direction\": [0, -3, 4], \"castsShadow\": false "
-        "},\n"
+        "    { \"type\": \"directional\", \"direction\": [0, -3, 4], \"castsShadow\": false, "
+        "\"group\": \"key\" },\n"
         "    { \"type\": \"point\", \"position\": [1, 2, 3], \"range\": 5, \"begin\": 1.5, "
         "\"ambient\": 0.25,\n"
         "      \"falloff\": \"linear\", \"diffuse\": 0.5, \"specular\": 0, \"name\": \"lamp\" "
@@ -285,6 +288,7 @@ static void meaning(void **state)
     wanted.model = TL_MODEL_BLINN_PHONG_NORMALIZED;
     tl_light sun = tl_light_default(), lamp = tl_light_default(), spot = tl_light_default();
     sun.type = TL_LIGHT_DIRECTIONAL;
+    strcpy(sun.group, "key");
     memcpy(sun.direction, (float[]){0.0f, -0.6f, 0.8f}, sizeof sun.direction);
     memcpy(lamp.position, (float[]){1.0f, 2.0f, 3.0f}, sizeof lamp.position);
     lamp.range = 5.0f;

@@ -2,9 +2,11 @@
 #include "json_values.h"
 #include "light_words.h"
 #include "material_rows.h"
+#include "tilelight/light_groups.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 /* Of the lights of one type. Ranges: over those that have one. */
 typedef struct type_info {
@@ -72,10 +74,10 @@ static void print_color(const char *before, const float color[3])
            (double)color[2]);
 }
 
-static void print_path(const char *path)
+static void print_quoted(const char *text)
 {
     putchar('"');
-    info_print_text(path, 0);
+    info_print_text(text, 0);
     putchar('"');
 }
 
@@ -83,7 +85,7 @@ static void print_sky(const tl_light_set *set)
 {
     if (set->sky_type == TL_SKY_IMAGE) {
         printf("sky ");
-        print_path(set->images[set->sky_image - 1].path);
+        print_quoted(set->images[set->sky_image - 1].path);
     } else if (set->sky_type == TL_SKY_GRADIENT) {
         print_color("sky ", set->zenith);
         print_color(" to ", set->sky);
@@ -132,9 +134,40 @@ static void print_shapes(const tl_light_set *set)
                info.tables, info.textures, info.ambient);
     for (size_t i = 0; i < set->image_count; i++) {
         printf("image       ");
-        print_path(set->images[i].path);
+        print_quoted(set->images[i].path);
         printf(", %u x %u pixels\n", set->images[i].width, set->images[i].height);
     }
+}
+
+/* Where memory runs out, none is listed. */
+static void print_groups(const tl_light_set *set)
+{
+    tl_light_group *groups = NULL;
+    size_t count = 0;
+    tl_error ignored;
+    if (tl_light_groups_find(set, &groups, &count, &ignored) != TL_OK)
+        return;
+    for (size_t i = 0; i < count; i++) {
+        printf("group       ");
+        print_quoted(groups[i].name);
+        printf(", %zu light%s\n", groups[i].light_count, groups[i].light_count == 1 ? "" : "s");
+    }
+    free(groups);
+}
+
+static json_t *groups_json(const tl_light_set *set)
+{
+    tl_light_group *groups = NULL;
+    size_t count = 0;
+    tl_error ignored;
+    if (tl_light_groups_find(set, &groups, &count, &ignored) != TL_OK)
+        return json_null();
+    json_t *out = json_array();
+    for (size_t i = 0; i < count; i++)
+        json_array_append_new(out, json_pack("{ss* sI}", "name", groups[i].name, "lights",
+                                             (json_int_t)groups[i].light_count));
+    free(groups);
+    return out;
 }
 
 void info_print_lights(const tl_light_set *set)
@@ -159,6 +192,7 @@ void info_print_lights(const tl_light_set *set)
             printf(", %zu without range", info.count - info.ranged_count);
         putchar('\n');
     }
+    print_groups(set);
     print_shapes(set);
 }
 
@@ -208,10 +242,10 @@ json_t *info_lights_json(const tl_light_set *set)
     }
     json_t *shininess = set->has_shininess ? json_real((double)set->shininess) : json_null();
     const shape_info info = shape_info_of(set);
-    return json_pack("{sI so so ss so so so so s{sI sI sI}}", "count", (json_int_t)set->count,
-                     "ambient", tl_json_numbers(set->ambient, 3), "sky", sky_json(set), "model",
-                     tl_model_words[set->model], "shininess", shininess, "materials",
-                     rows_json(set), "types", types, "images", images_json(set), "with",
-                     "table", (json_int_t)info.tables, "texture", (json_int_t)info.textures,
-                     "ambient", (json_int_t)info.ambient);
+    return json_pack("{sI so so ss so so so so so s{sI sI sI}}", "count",
+                     (json_int_t)set->count, "ambient", tl_json_numbers(set->ambient, 3), "sky",
+                     sky_json(set), "model", tl_model_words[set->model], "shininess", shininess,
+                     "materials", rows_json(set), "types", types, "groups", groups_json(set),
+                     "images", images_json(set), "with", "table", (json_int_t)info.tables,
+                     "texture", (json_int_t)info.textures, "ambient", (json_int_t)info.ambient);
 }

@@ -11,6 +11,7 @@ enum {
 
 const tl_light_field tl_light_fields[TL_LIGHT_FIELD_COUNT] = {
     {"name", TL_FIELD_NAME, offsetof(tl_light, name), ANY, false},
+    {"group", TL_FIELD_NAME, offsetof(tl_light, group), ANY, false},
     {"position", TL_FIELD_VECTOR, offsetof(tl_light, position), PLACED, true},
     {"direction", TL_FIELD_UNIT, offsetof(tl_light, direction), AIMED, true},
     {"color", TL_FIELD_VECTOR, offsetof(tl_light, color), ANY, false},

@@ -29,7 +29,7 @@ typedef struct tl_light_field {
     bool is_required; /* by those types; else tl_light_default has the default */
 } tl_light_field;
 
-enum { TL_LIGHT_FIELD_COUNT = 17 };
+enum { TL_LIGHT_FIELD_COUNT = 18 };
 
 /* `type` itself is not among them: it decides which of them apply. */
 extern const tl_light_field tl_light_fields[TL_LIGHT_FIELD_COUNT];

@@ -10,32 +10,17 @@
 
 #include <math.h>
 #include <stdbool.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { KNOWN_VERSION = 1, MAX_LIGHTS = 10000000, MAX_WORDS = 32 };
+enum { KNOWN_VERSION = 1, MAX_LIGHTS = 10000000 };
 
-/* Fields of the format that this version cannot light yet. */
-static const char *const later_fields[] = {"group"};
-enum { LATER_COUNT = sizeof later_fields / sizeof later_fields[0] };
-
-static tl_status check_later(const tl_place *at, const char *key, tl_error *err)
+static tl_status refuse_unknown(const tl_place *at, const char *key, tl_error *err)
 {
-    const char *words[MAX_WORDS] = {"type"};
-    size_t word_count = 1;
-    for (size_t i = 0; i < LATER_COUNT; i++) {
-        if (strcmp(key, later_fields[i]) != 0)
-            continue;
-        return tl_fail(err, TL_ERR_UNSUPPORTED,
-                       "%s:%s field \"%s\" is not supported by this version; remove it",
-                       at->source, at->inside, key);
-    }
+    const char *words[1 + TL_LIGHT_FIELD_COUNT] = {"type"};
     for (size_t i = 0; i < TL_LIGHT_FIELD_COUNT; i++)
-        words[word_count++] = tl_light_fields[i].name;
-    for (size_t i = 0; i < LATER_COUNT; i++)
-        words[word_count++] = later_fields[i];
-    return tl_unknown_field(at, key, words, word_count, err);
+        words[1 + i] = tl_light_fields[i].name;
+    return tl_unknown_field(at, key, words, 1 + TL_LIGHT_FIELD_COUNT, err);
 }
 
 static tl_status read_falloff(
@@ -69,7 +54,6 @@ done:
     return status;
 }
 
-/* Names are for messages: a long one is cut, between characters of UTF-8. */
 static tl_status read_name(
     const tl_place *at, const char *field, const json_t *value, char out[64], tl_error *err)
 {
@@ -77,13 +61,7 @@ static tl_status read_name(
     if (!name)
         return tl_fail(err, TL_ERR_FORMAT, "%s:%s \"%s\" must be a string", at->source,
                        at->inside, field);
-    size_t length = strlen(name);
-    if (length > sizeof(tl_light){0}.name - 1)
-        length = sizeof(tl_light){0}.name - 1;
-    while (length > 0 && ((unsigned char)name[length] & 0xc0) == 0x80)
-        length--;
-    memcpy(out, name, length);
-    out[length] = '\0';
+    tl_light_text(name, out);
     return TL_OK;
 }
 
@@ -137,7 +115,7 @@ static tl_status read_member(const tl_place *at,
                            at->source, at->inside, tl_light_type_words[light->type], key);
         return read_field(at, field, value, set, light, err);
     }
-    return check_later(at, key, err);
+    return refuse_unknown(at, key, err);
 }
 
 static tl_status read_light(const char *source,

@@ -24,6 +24,17 @@ tl_light tl_light_default(void)
                       .outer_cone = 0.785398163f};
 }
 
+void tl_light_text(const char *text, char out[64])
+{
+    size_t length = strlen(text);
+    if (length > sizeof(tl_light){0}.name - 1)
+        length = sizeof(tl_light){0}.name - 1;
+    while (length > 0 && ((unsigned char)text[length] & 0xc0) == 0x80)
+        length--;
+    memcpy(out, text, length);
+    out[length] = '\0';
+}
+
 tl_status tl_light_set_add(tl_light_set *set, const tl_light *light, tl_error *err)
 {
     if (set->count == set->capacity) {

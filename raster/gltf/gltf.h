@@ -101,6 +101,7 @@ typedef struct tl_gltf_mesh {
 
 typedef struct tl_gltf_node {
     const char *name;
+    const char *group; /* a string of that name in its extras, or "" */
     int mesh, camera, light, skin;
     size_t child_count;
     const int *children;
@@ -194,6 +195,7 @@ typedef struct tl_gltf_camera {
 
 typedef struct tl_gltf_light {
     const char *name, *type;
+    const char *group; /* as a node's */
     size_t color_count;
     const double *color;
     double intensity, range, inner_cone, outer_cone; /* range 0: not given */

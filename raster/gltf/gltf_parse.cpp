@@ -267,6 +267,13 @@ tl_gltf_channel mirror(const tinygltf::AnimationChannel &from)
     return {from.sampler, from.target_node, from.target_path.c_str()};
 }
 
+// A string of an object of extras, which the model holds; "" where there is none.
+const char *extras_text(const Value &extras, const char *name)
+{
+    const Value *found = extras.IsObject() && extras.Has(name) ? &extras.Get(name) : nullptr;
+    return found && found->IsString() ? found->Get<std::string>().c_str() : "";
+}
+
 void mirror_instancing(const tinygltf::Node &from, tl_gltf_node &to)
 {
     const Value *instancing = find(from.extensions, "EXT_mesh_gpu_instancing");
@@ -284,6 +291,7 @@ tl_gltf_node mirror(const tinygltf::Node &from)
     const Value *light = find(from.extensions, "KHR_lights_punctual");
     tl_gltf_node to = {};
     to.name = from.name.c_str();
+    to.group = extras_text(from.extras, "group");
     to.mesh = from.mesh;
     to.camera = from.camera;
     to.skin = from.skin;
@@ -319,9 +327,15 @@ tl_gltf_camera mirror(const tinygltf::Camera &from)
 
 tl_gltf_light mirror(const tinygltf::Light &from)
 {
-    return {from.name.c_str(),        from.type.c_str(),       from.color.size(),
-            from.color.data(),        from.intensity,          from.range,
-            from.spot.innerConeAngle, from.spot.outerConeAngle};
+    return {from.name.c_str(),
+            from.type.c_str(),
+            extras_text(from.extras, "group"),
+            from.color.size(),
+            from.color.data(),
+            from.intensity,
+            from.range,
+            from.spot.innerConeAngle,
+            from.spot.outerConeAngle};
 }
 
 tl_gltf_view mirror(const tinygltf::BufferView &from)

@@ -3,7 +3,6 @@
 #include "lookup.h"
 #include "try.h"
 
-#include <stdio.h>
 #include <string.h>
 
 static const struct {
@@ -44,7 +43,7 @@ static tl_status read_light(const tl_gltf *gltf,
                             tl_error *err)
 {
     const tl_gltf_light *const from = &gltf->lights[at->what];
-    const char *const node_name = gltf->nodes[at->node].name;
+    const tl_gltf_node *const node = &gltf->nodes[at->node];
     const tl_label label = tl_label_of("light", (size_t)at->what, from->name);
     size_t type = 0;
 
@@ -67,7 +66,8 @@ static tl_status read_light(const tl_gltf *gltf,
         out->inner_cone = (float)from->inner_cone;
         out->outer_cone = (float)from->outer_cone;
     }
-    snprintf(out->name, sizeof out->name, "%s", node_name[0] ? node_name : from->name);
+    tl_light_text(node->name[0] ? node->name : from->name, out->name);
+    tl_light_text(node->group[0] ? node->group : from->group, out->group);
     return place_light(gltf, from, at, out, err);
 }
 

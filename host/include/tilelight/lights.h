@@ -80,7 +80,8 @@ typedef struct tl_light {
     /* unit, world space: which way the top of the texture is; 0 0 0: the default, docs/conventions.md */
     float up[3];
     uint32_t casts_shadow; /* 1: surfaces stand in its way, where a G-buffer has a map of it */
-    char name[64]; /* for messages; may be empty */
+    char name[64];         /* for messages; may be empty */
+    char group[64]; /* what is switched, scaled and kept apart together; empty: in none */
 } tl_light;
 
 /* How surfaces reflect that an index of the plane brdf, or a material of the capture, leads here. */
@@ -139,6 +140,9 @@ typedef struct tl_light_set {
 /* A white point light at the origin: inverse square, 1 cd, no range, both lobes 1; a spot's cone
  * is glTF's default (0, pi/4). */
 tl_light tl_light_default(void);
+
+/* `text` as names and groups of lights hold it: as much of it as fits, cut between characters of UTF-8. */
+void tl_light_text(const char *text, char out[64]);
 
 /* Appends a copy. Fails with TL_ERR_MEMORY. */
 tl_status tl_light_set_add(tl_light_set *set, const tl_light *light, tl_error *err);
