@@ -86,26 +86,25 @@ typedef TL_LANES(uint) word32;
 #        define FOLD(HALVES, v) HALVES(HALVES(HALVES(HALVES(v))))
 #        define LANE_INDEX ((real)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
 #        define FIRST_LANE(i) ((i).s0)
-#        define EACH_LANE(F, a, i) \
-            F(a, (i).s0), F(a, (i).s1), F(a, (i).s2), F(a, (i).s3), F(a, (i).s4), \
-            F(a, (i).s5), F(a, (i).s6), F(a, (i).s7), F(a, (i).s8), F(a, (i).s9), \
-            F(a, (i).sa), F(a, (i).sb), F(a, (i).sc), F(a, (i).sd), F(a, (i).se), \
-            F(a, (i).sf)
+#        define EACH_LANE(F, a, i)                                                    \
+            F(a, (i).s0), F(a, (i).s1), F(a, (i).s2), F(a, (i).s3), F(a, (i).s4),     \
+                F(a, (i).s5), F(a, (i).s6), F(a, (i).s7), F(a, (i).s8), F(a, (i).s9), \
+                F(a, (i).sa), F(a, (i).sb), F(a, (i).sc), F(a, (i).sd), F(a, (i).se), \
+                F(a, (i).sf)
 typedef integer mask;
 #    elif TL_WIDTH == 8
 #        define FOLD(HALVES, v) HALVES(HALVES(HALVES(v)))
 #        define LANE_INDEX ((real)(0, 1, 2, 3, 4, 5, 6, 7))
 #        define FIRST_LANE(i) ((i).s0)
-#        define EACH_LANE(F, a, i) \
-            F(a, (i).s0), F(a, (i).s1), F(a, (i).s2), F(a, (i).s3), \
-            F(a, (i).s4), F(a, (i).s5), F(a, (i).s6), F(a, (i).s7)
+#        define EACH_LANE(F, a, i)                                                \
+            F(a, (i).s0), F(a, (i).s1), F(a, (i).s2), F(a, (i).s3), F(a, (i).s4), \
+                F(a, (i).s5), F(a, (i).s6), F(a, (i).s7)
 typedef integer mask;
 #    elif TL_WIDTH == 4
 #        define FOLD(HALVES, v) HALVES(HALVES(v))
 #        define LANE_INDEX ((real)(0, 1, 2, 3))
 #        define FIRST_LANE(i) ((i).s0)
-#        define EACH_LANE(F, a, i) \
-            F(a, (i).s0), F(a, (i).s1), F(a, (i).s2), F(a, (i).s3)
+#        define EACH_LANE(F, a, i) F(a, (i).s0), F(a, (i).s1), F(a, (i).s2), F(a, (i).s3)
 typedef integer mask;
 #    else
 #        define FOLD(HALVES, v) (v)
@@ -122,6 +121,9 @@ typedef int mask;
 /* Not any(): that of a scalar looks at the sign bit, which a true scalar comparison leaves 0,
  * and that of an int16 is slower on PoCL than this tree. Clang's own, where it has one, is a test of
  * a mask register on AVX-512, one instruction in place of six. */
+#    define ADD_HALVES(v) ((v).lo + (v).hi)
+#    define SUM_LANES(v) FOLD(ADD_HALVES, v)
+#    define TL_LANE_COUNT TL_WIDTH
 #    define OR_HALVES(v) ((v).lo | (v).hi)
 #    if TL_WIDTH > 1 && defined(__has_builtin)
 #        if __has_builtin(__builtin_reduce_or)
@@ -230,6 +232,9 @@ TL_INLINE word32 REAL_AS_WORD(real x)
 #    define TL_GLOBAL
 typedef TL_GLOBAL const float *tl_numbers;
 #    define GATHER(from, i) ((real)(from)[i])
+#    define LOAD(from, at) ((real)(from)[at])
+#    define LANE_INDEX R(0.0)
+#    define TL_LANE_COUNT 1
 TL_INLINE word32 GATHER_WORDS(tl_numbers from, integer i)
 {
     word32 w;

@@ -39,7 +39,6 @@
         WORD_AS_REAL(load_ints((__global const uchar *)(from), pitch))
 #else
 #    define FLOATS_OF_BLOCK(from, pitch) ((void)(pitch), (real) * (from))
-#    define LOAD(from, at) ((real)(from)[at])
 #endif
 
 /* Planes of floats behind the sections of the lights, [TL_AROUND_COUNT][rows][pitch] with TL_AROUND_MARGIN

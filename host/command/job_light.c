@@ -2,6 +2,7 @@
 
 #include "approximation_options.h"
 #include "console.h"
+#include "job_post.h"
 #include "job_promise.h"
 #include "light_words.h"
 #include "try.h"
@@ -80,23 +81,6 @@ static void tell_model(const job *j)
             tl_model_words[j->lights.model]);
 }
 
-/* The picture of samples becomes one of pixels. */
-static tl_status resolve(job *j, tl_error *err)
-{
-    const uint32_t side = tl_samples_side(j->gbuffer->samples);
-    const double start = tl_seconds();
-    tl_image *pixels = NULL;
-    if (side == 1)
-        return TL_OK;
-    const tl_status status = tl_image_resolve(j->image, side, &pixels, err);
-    if (status != TL_OK)
-        return status;
-    tl_image_destroy(j->image);
-    j->image = pixels;
-    tl_timings_end(&j->timings, "resolve", start);
-    return TL_OK;
-}
-
 static void tell_approximations(job *j, const tl_approximations *of)
 {
     approximations_tell(of);
@@ -146,7 +130,7 @@ tl_status job_light(job *j,
     tell_approximations(j, &options.approximations);
     if (told)
         TRY(explain_take(j, lighting, &options, &counts, told, err));
-    TRY(resolve(j, err));
+    TRY(job_post(j, choice, device, err));
     report_counts(j, &counts);
     if (counts.first_kernel_s > 0.0)
         j->first_kernel_ms = 1e3 * (counts.first_kernel_s - j->start_s);

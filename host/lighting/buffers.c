@@ -138,6 +138,13 @@ uint64_t tl_buffers_size(const tl_buffers *buffers)
     return size;
 }
 
+void tl_buffers_let_go(tl_buffers *buffers)
+{
+    for (int i = 0; i < TL_BUFFER_COUNT; i++)
+        if (buffers->of[i].host)
+            release(buffers, (tl_buffer_name)i);
+}
+
 void tl_buffers_release(tl_buffers *buffers)
 {
     for (int i = 0; i < TL_BUFFER_COUNT; i++)

@@ -5,23 +5,26 @@
 #include "device.h"
 
 /* X(name, shape) */
-#define TL_BUFFERS(X)                                                       \
-    X(TL_BUFFER_BOXES, "[2][6][tiles_y][box_pitch] scalars")                \
-    X(TL_BUFFER_COUNTS, "[tiles_y][box_pitch] int")                         \
-    X(TL_BUFFER_BITS, "[tiles_y][TL_LIGHT_BLOCK / 32][box_pitch] int")      \
-    X(TL_BUFFER_LIGHTS, "[light_count] tl_view_light, tl_view_spot, ...")   \
-    X(TL_BUFFER_RECTS, "[TL_RECT_PLANE_COUNT][TL_RECT_PITCH] int")          \
-    X(TL_BUFFER_STARTS, "[tiles_y * tiles_x] uint")                         \
-    X(TL_BUFFER_ENDS, "[tiles_y * tiles_x] uint")                           \
-    X(TL_BUFFER_CELLS, "[3][cells] uint")                                   \
-    X(TL_BUFFER_LIST_END, "[2] uint")                                       \
-    X(TL_BUFFER_CELL_LIST, "[entries of all cells] uint")                   \
-    X(TL_BUFFER_LIST, "[list_length] uint")                                 \
-    X(TL_BUFFER_PLANES, "[plane_count][rows][pitch] float, the G-buffer's") \
-    X(TL_BUFFER_RADIANCE, "[3][rows][pitch] float, the image's")            \
-    X(TL_BUFFER_TIMES, "[tiles_y * tiles_x][2] ulong")                      \
-    X(TL_BUFFER_OPACITY, "[rows][pitch] float, the layer's")                \
-    X(TL_BUFFER_BEHIND, "[3][rows][pitch] float, the image's; RADIANCE is a layer's then")
+#define TL_BUFFERS(X)                                                                         \
+    X(TL_BUFFER_BOXES, "[2][6][tiles_y][box_pitch] scalars")                                  \
+    X(TL_BUFFER_COUNTS, "[tiles_y][box_pitch] int")                                           \
+    X(TL_BUFFER_BITS, "[tiles_y][TL_LIGHT_BLOCK / 32][box_pitch] int")                        \
+    X(TL_BUFFER_LIGHTS, "[light_count] tl_view_light, tl_view_spot, ...")                     \
+    X(TL_BUFFER_RECTS, "[TL_RECT_PLANE_COUNT][TL_RECT_PITCH] int")                            \
+    X(TL_BUFFER_STARTS, "[tiles_y * tiles_x] uint")                                           \
+    X(TL_BUFFER_ENDS, "[tiles_y * tiles_x] uint")                                             \
+    X(TL_BUFFER_CELLS, "[3][cells] uint")                                                     \
+    X(TL_BUFFER_LIST_END, "[2] uint")                                                         \
+    X(TL_BUFFER_CELL_LIST, "[entries of all cells] uint")                                     \
+    X(TL_BUFFER_LIST, "[list_length] uint")                                                   \
+    X(TL_BUFFER_PLANES, "[plane_count][rows][pitch] float, the G-buffer's")                   \
+    X(TL_BUFFER_RADIANCE, "[3][rows][pitch] float, the image's")                              \
+    X(TL_BUFFER_TIMES, "[tiles_y * tiles_x][2] ulong")                                        \
+    X(TL_BUFFER_OPACITY, "[rows][pitch] float, the layer's")                                  \
+    X(TL_BUFFER_BEHIND, "[3][rows][pitch] float, the image's; RADIANCE is a layer's then")    \
+    X(TL_BUFFER_POST_FROM, "[3][plane_rows][pitch] float, what a stage after lighting reads") \
+    X(TL_BUFFER_POST_TO, "the same, what it writes")                                          \
+    X(TL_BUFFER_POST_COUNT, "[1] uint")
 
 typedef enum tl_buffer_name {
 #define TL_BUFFER_NAME(name, shape) name,
@@ -95,6 +98,9 @@ tl_status tl_buffers_unmap(tl_buffers *buffers,
 
 /* What the device's own buffers take, in bytes. */
 uint64_t tl_buffers_size(const tl_buffers *buffers);
+
+/* Of memory of the caller's, so that the caller may free it. */
+void tl_buffers_let_go(tl_buffers *buffers);
 
 /* Leaves it all zero. */
 void tl_buffers_release(tl_buffers *buffers);

@@ -78,10 +78,9 @@ static tl_status fail_with_log(const tl_device *device, const tl_program *made, 
 static const char *text_of(const tl_program *made)
 {
     static const char *const texts[TL_PART_COUNT] = {
-        [TL_PART_CULL] = tl_cull_kernels,
-        [TL_PART_OCCLUDE] = tl_occlude_kernels,
-        [TL_PART_SHADE] = tl_shade_kernels,
-        [TL_PART_BLEND] = tl_blend_kernel,
+        [TL_PART_CULL] = tl_cull_kernels,   [TL_PART_OCCLUDE] = tl_occlude_kernels,
+        [TL_PART_SHADE] = tl_shade_kernels, [TL_PART_BLEND] = tl_blend_kernel,
+        [TL_PART_MEND] = tl_mend_kernels,
     };
     return made->user.text ? made->user.text : texts[made->part];
 }
@@ -286,7 +285,7 @@ static tl_kernel_options options_of(tl_program_part part, const tl_kernel_option
         return *o;
     if (part == TL_PART_OCCLUDE)
         return options_to_occlude(o);
-    if (part == TL_PART_BLEND)
+    if (part >= TL_PART_BLEND) /* what knows nothing of a G-buffer */
         return (tl_kernel_options){
             .width = o->width, .by_pixel = o->by_pixel, .real_double = o->real_double};
     return (tl_kernel_options){.width = o->width,

@@ -29,23 +29,28 @@ typedef enum tl_program_part {
     TL_PART_OCCLUDE,
     TL_PART_SHADE,
     TL_PART_BLEND, /* of layers alone */
-    TL_PART_COUNT
+    /* stages after lighting (host/post/), a part each; they are not of a frame that is lit */
+    TL_PART_MEND,
+    TL_PART_COUNT,
+    TL_LIGHTING_PART_COUNT = TL_PART_MEND
 } tl_program_part;
 
 /* Of those that a program lacks the handle is NULL.
  * X(name in the program and here, its part, whether it is there: of `options` and `has_double`) */
-#define TL_KERNELS(X)                               \
-    X(light_rects, TL_PART_CULL, has_double)        \
-    X(cull_rows, TL_PART_CULL, 1)                   \
-    X(bound_tiles, TL_PART_CULL, options->by_pixel) \
-    X(list_cells, TL_PART_CULL, options->by_pixel)  \
-    X(list_tiles, TL_PART_CULL, options->by_pixel)  \
-    X(gather_surroundings, TL_PART_OCCLUDE, 1)      \
-    X(occlude, TL_PART_OCCLUDE, 1)                  \
-    X(smooth_surroundings, TL_PART_OCCLUDE, 1)      \
-    X(shade_tiles, TL_PART_SHADE, 1)                \
+#define TL_KERNELS(X)                                 \
+    X(light_rects, TL_PART_CULL, has_double)          \
+    X(cull_rows, TL_PART_CULL, 1)                     \
+    X(bound_tiles, TL_PART_CULL, options->by_pixel)   \
+    X(list_cells, TL_PART_CULL, options->by_pixel)    \
+    X(list_tiles, TL_PART_CULL, options->by_pixel)    \
+    X(gather_surroundings, TL_PART_OCCLUDE, 1)        \
+    X(occlude, TL_PART_OCCLUDE, 1)                    \
+    X(smooth_surroundings, TL_PART_OCCLUDE, 1)        \
+    X(shade_tiles, TL_PART_SHADE, 1)                  \
     X(shade_pixels, TL_PART_SHADE, options->by_pixel) \
-    X(blend_layer, TL_PART_BLEND, 1)
+    X(blend_layer, TL_PART_BLEND, 1)                  \
+    X(count_no_colors, TL_PART_MEND, 1)               \
+    X(mend_picture, TL_PART_MEND, 1)
 
 typedef struct tl_program {
     tl_program_part part;

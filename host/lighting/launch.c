@@ -19,8 +19,24 @@ tl_status tl_launch(tl_pass_context *c,
                     double *ms,
                     tl_error *err)
 {
+    return tl_launch_with(c, part, kernel, name, &c->frame, sizeof c->frame, buffers,
+                          buffer_count, size, ms, err);
+}
+
+tl_status tl_launch_with(tl_pass_context *c,
+                         tl_program_part part,
+                         cl_kernel kernel,
+                         const char *name,
+                         const void *first,
+                         size_t first_size,
+                         const tl_buffer_name *buffers,
+                         cl_uint buffer_count,
+                         tl_work size,
+                         double *ms,
+                         tl_error *err)
+{
     cl_event event;
-    cl_int code = clSetKernelArg(kernel, 0, sizeof c->frame, &c->frame);
+    cl_int code = clSetKernelArg(kernel, 0, first_size, first);
     for (cl_uint i = 0; code == CL_SUCCESS && i < buffer_count; i++)
         code =
             clSetKernelArg(kernel, i + 1, sizeof(cl_mem), &c->buffers->of[buffers[i]].memory);

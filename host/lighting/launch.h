@@ -26,6 +26,19 @@ tl_status tl_launch(tl_pass_context *context,
                     double *ms,
                     tl_error *err);
 
+/* The same of a kernel whose first argument is the `size` bytes at `first`. */
+tl_status tl_launch_with(tl_pass_context *context,
+                         tl_program_part part,
+                         cl_kernel kernel,
+                         const char *name,
+                         const void *first,
+                         size_t first_size,
+                         const tl_buffer_name *buffers,
+                         cl_uint buffer_count,
+                         tl_work size,
+                         double *ms,
+                         tl_error *err);
+
 /* The kernel `name` of culling; the buffers come last. */
 #define TL_LAUNCH_CULL(context, name, size, ms, err, ...)                            \
     tl_launch(context, TL_PART_CULL, (context)->programs[TL_PART_CULL]->name, #name, \

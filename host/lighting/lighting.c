@@ -44,9 +44,14 @@ static int is_by_pixel(const tl_device *device, const tl_lighting_options *optio
     return options->path == TL_PATH_GPU;
 }
 
+int tl_precision_is_on_host(tl_precision precision)
+{
+    return precisions[precision].on_host;
+}
+
 int tl_lighting_is_on_host(const tl_lighting *lighting)
 {
-    return precisions[lighting->options.precision].on_host;
+    return tl_precision_is_on_host(lighting->options.precision);
 }
 
 static int is_one_of(uint32_t value, const uint32_t *values, size_t count)
@@ -156,23 +161,31 @@ void tl_lighting_destroy(tl_lighting *lighting)
     free(lighting);
 }
 
+tl_kernel_options tl_lighting_arithmetic(const tl_device *device, const tl_lighting_options *o)
+{
+    const int is_double = precisions[o->precision].is_double;
+    uint32_t width = o->vector_width ? o->vector_width : device->info.vector_width;
+    if (!o->vector_width && is_double && width > 1)
+        width /= 2; /* as many bytes as the register has */
+    const int by_pixel = is_by_pixel(device, o);
+    if (width == 2 || by_pixel)
+        width = 1;
+    return (tl_kernel_options){
+        .width = width, .by_pixel = (uint32_t)by_pixel, .real_double = (uint32_t)is_double};
+}
+
 tl_kernel_options tl_lighting_kernels(const tl_lighting *lighting, const tl_needs *needs)
 {
     const tl_lighting_options *o = &lighting->options;
-    const int is_double = precisions[o->precision].is_double;
-    uint32_t width = o->vector_width ? o->vector_width : lighting->device->info.vector_width;
+    const tl_kernel_options arithmetic = tl_lighting_arithmetic(lighting->device, o);
+    uint32_t width = arithmetic.width;
     if (!o->vector_width && o->kernel.text && o->kernel.items == TL_ITEMS_PIXEL)
         width = 1; /* what the headers then are for */
-    if (!o->vector_width && is_double && width > 1)
-        width /= 2; /* as many bytes as the register has */
-    const int by_pixel = is_by_pixel(lighting->device, o);
-    if (width == 2 || by_pixel)
-        width = 1;
     if (o->kernel.text && width > o->tile_size)
         width = o->tile_size; /* a user's kernel may take a run of a row's pixels as a vector */
     return (tl_kernel_options){.width = width,
-                               .by_pixel = (uint32_t)by_pixel,
-                               .real_double = (uint32_t)is_double,
+                               .by_pixel = arithmetic.by_pixel,
+                               .real_double = arithmetic.real_double,
                                .precise_power =
                                    o->approximations.of[TL_KNOB_POWER] == TL_POWER_LIBRARY,
                                .approximations = o->approximations,
@@ -200,7 +213,7 @@ static void keep_programs(const tl_device *device,
 {
     const double clock = tl_seconds();
     int kept = 0;
-    for (int part = 0; part < TL_PART_COUNT; part++)
+    for (int part = 0; part < TL_LIGHTING_PART_COUNT; part++)
         if (context->programs[part])
             kept |= tl_program_keep(device, context->programs[part]);
     if (kept)
@@ -251,7 +264,7 @@ static tl_status run_on_device(tl_lighting *lighting,
                                .precision_is_double = (int)kernels.real_double,
                                .by_pixel = (int)kernels.by_pixel};
     const double clock = tl_seconds();
-    for (tl_program_part part = 0; part < TL_PART_COUNT; part++)
+    for (tl_program_part part = 0; part < TL_LIGHTING_PART_COUNT; part++)
         if (is_needed(part, &lighting->prepared, gbuffer, &bands))
             TRY(tl_program_find(lighting->device, part, &kernels, &options->kernel,
                                 &context.programs[part], err));

@@ -26,6 +26,9 @@ struct tl_lighting {
     tl_explanation explanation; /* of the last frame, layers included */
 };
 
+/* Whether a precision needs no OpenCL. */
+int tl_precision_is_on_host(tl_precision precision);
+
 /* Whether it lights without OpenCL. */
 int tl_lighting_is_on_host(const tl_lighting *lighting);
 
@@ -53,6 +56,10 @@ tl_status tl_lighting_layers(tl_lighting *lighting,
 
 /* Accepts what has none. */
 void tl_lighting_layers_clear(tl_lighting *lighting);
+
+/* The vectors, path and precision that kernels are built with; the rest is 0. */
+tl_kernel_options tl_lighting_arithmetic(const tl_device *device,
+                                         const tl_lighting_options *options);
 
 /* What kernels are built with for a frame of these needs. */
 tl_kernel_options tl_lighting_kernels(const tl_lighting *lighting, const tl_needs *needs);

@@ -1,0 +1,25 @@
+# tl_twins(library base name source [definition...]): compiles `source` into `library` as the functions
+# ${name}_${set}, one an instruction set, with the headers of the library `base`. With the processor's fma where
+# it has one (chosen at run time), else with the library's, which gives the same bits slowly.
+set(TL_TWIN_SETS portable)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    list(APPEND TL_TWIN_SETS fma)
+endif()
+
+function(tl_twins library base name source)
+    foreach(set IN LISTS TL_TWIN_SETS)
+        set(twin ${name}_${set})
+        add_library(${twin} OBJECT ${source})
+        target_link_libraries(${twin} PRIVATE ${base})
+        target_include_directories(${twin} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+        target_compile_definitions(${twin} PRIVATE TL_TWIN=${twin} ${ARGN})
+        if(set STREQUAL fma)
+            target_compile_options(${twin} PRIVATE -mfma)
+            target_compile_definitions(${library} PRIVATE TL_HAS_FMA_TWINS=1)
+        endif()
+        if("TL_REAL_DOUBLE=1" IN_LIST ARGN)
+            target_compile_options(${twin} PRIVATE -Wno-double-promotion)
+        endif()
+        target_sources(${library} PRIVATE $<TARGET_OBJECTS:${twin}>)
+    endforeach()
+endfunction()

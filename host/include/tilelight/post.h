@@ -1,0 +1,87 @@
+/* What is done to a lit picture before it leaves: stages after lighting, in one order, each off unless it is
+ * asked for (docs/post-processing.md). */
+#ifndef TL_POST_H
+#define TL_POST_H
+
+#include "gbuffer.h"
+#include "image.h"
+#include "lighting.h"
+#include "report.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* In the order in which they run. Those before `resolve` see a picture of samples, as large as its G-buffer;
+ * those behind it one of pixels.
+ * X(name, word, what it reads around a pixel, meaning) */
+#define TL_POST_STAGES(X)                                                                     \
+    X(TL_POST_MEND, "mend", "the picture, 1 row around",                                      \
+      "pixels that are NaN or infinite are counted, and become the mean of their neighbours") \
+    X(TL_POST_RESOLVE, "resolve", "the picture, a pixel's own samples",                       \
+      "a pixel becomes the mean of its samples")
+
+typedef enum tl_post_stage {
+#define TL_POST_NAME(name, word, reads, meaning) name,
+    TL_POST_STAGES(TL_POST_NAME)
+#undef TL_POST_NAME
+        TL_POST_STAGE_COUNT
+} tl_post_stage;
+
+typedef struct tl_post_stage_row {
+    const char *word, *reads, *meaning;
+} tl_post_stage_row;
+
+extern const tl_post_stage_row tl_post_stage_rows[TL_POST_STAGE_COUNT];
+
+/* All zero: every stage but `resolve`, which samples call for, is off. */
+typedef struct tl_post_options {
+    /* 1: pixels that are NaN or infinite are looked for. Lighting leaves none; a kernel of the user's may */
+    int mend;
+} tl_post_options;
+
+/* What a picture came to. */
+typedef struct tl_post_counts {
+    uint32_t stages;       /* that ran, bits 1 << tl_post_stage */
+    uint64_t mended_count; /* pixels (samples) that were NaN or infinite */
+    uint32_t
+        band_count; /* the most parts that a stage ran in, to fit the memory limit; 0: none ran */
+    uint64_t device_bytes;                 /* of the device's own buffers, at their largest */
+    double device_ms[TL_POST_STAGE_COUNT]; /* from profiling events; 0 on the CPU paths */
+} tl_post_counts;
+
+/* Holds programs, buffers and a second picture from picture to picture. */
+typedef struct tl_post tl_post;
+
+/* lighting: of it precision, path, vector_width and memory_limit say how stages are computed, as they do for
+ * tl_lighting, which has refused what cannot be. device may be NULL if the precision needs none, and outlives
+ * *out, which the caller releases with tl_post_destroy. Fails with TL_ERR_ARGUMENT or TL_ERR_MEMORY. */
+tl_status tl_post_create(tl_device *device,
+                         const tl_lighting_options *lighting,
+                         const tl_post_options *options,
+                         tl_post **out,
+                         tl_error *err);
+
+/* Accepts NULL. */
+void tl_post_destroy(tl_post *post);
+
+/* Runs the stages over *image, the picture of the G-buffer with its layers blended; *image becomes what they
+ * make of it: perhaps another picture, of another size where samples are resolved, which the caller owns in
+ * place of the one that was given. Bits depend on precision alone: not on path, vectors, memory limit or
+ * threads, and a device's float has those of TL_PRECISION_TWIN. Where nothing is called for, *image is left
+ * as it is, and nothing is built, allocated or computed. timings, notices, counts may be NULL. Fails with
+ * TL_ERR_ARGUMENT (one row is beyond the memory limit), TL_ERR_DEVICE or TL_ERR_MEMORY; *image is then a
+ * picture of no meaning, still the caller's. */
+tl_status tl_post_run(tl_post *post,
+                      const tl_gbuffer *gbuffer,
+                      tl_image **image,
+                      tl_timings *timings,
+                      const tl_notices *notices,
+                      tl_post_counts *counts,
+                      tl_error *err);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,157 @@
+#include "stage.h"
+
+#include "lighting_state.h"
+#include "try.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+
+static const tl_stage *const stages[TL_POST_STAGE_COUNT] = {
+    [TL_POST_MEND] = &tl_stage_mend,
+    [TL_POST_RESOLVE] = &tl_stage_resolve,
+};
+
+tl_status tl_post_create(tl_device *device,
+                         const tl_lighting_options *lighting,
+                         const tl_post_options *options,
+                         tl_post **out,
+                         tl_error *err)
+{
+    if (!device && !tl_precision_is_on_host(lighting->precision))
+        return tl_fail(err, TL_ERR_ARGUMENT, "this precision needs a device");
+    tl_post *made = calloc(1, sizeof *made);
+    if (!made)
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for what is done after lighting");
+    made->device = device;
+    made->lighting = *lighting;
+    made->options = *options;
+    *out = made;
+    return TL_OK;
+}
+
+void tl_post_destroy(tl_post *post)
+{
+    if (!post)
+        return;
+    tl_buffers_release(&post->buffers);
+    tl_image_destroy(post->spare);
+    free(post);
+}
+
+tl_status tl_post_reserve_to(tl_post_work *work, tl_error *err)
+{
+    const tl_image *from = work->from;
+    if (work->to && work->to->width == from->width && work->to->height == from->height)
+        return TL_OK;
+    tl_image_destroy(work->to);
+    work->to = NULL;
+    return tl_image_create(from->width, from->height, &work->to, err);
+}
+
+void tl_post_swap(tl_post_work *work)
+{
+    tl_image *const written = work->to;
+    work->to = work->from;
+    work->from = written;
+}
+
+/* The whole picture, as it stands in the host's memory. */
+static tl_view_picture view_of(const tl_image *image)
+{
+    return (tl_view_picture){.width = image->width,
+                             .height = image->height,
+                             .pitch = image->pitch,
+                             .plane_rows = image->rows,
+                             .end_row = image->height};
+}
+
+static tl_status run_on_host(tl_post_work *work, const tl_stage *stage, tl_error *err)
+{
+    int wrote = 0;
+    tl_status status = TL_OK;
+    work->view = view_of(work->from);
+    TRY(tl_post_bring_back(work, err));
+    work->is_on_device = 0;
+    TRY(stage->on_host(work, &wrote, err));
+    if (wrote)
+        tl_post_swap(work);
+done:
+    return status;
+}
+
+static tl_status run_stage(tl_post_work *work, const tl_stage *stage, tl_error *err)
+{
+    const double clock = tl_seconds();
+    const int on_host =
+        !stage->on_device || tl_precision_is_on_host(work->post->lighting.precision);
+    const tl_status status =
+        on_host ? run_on_host(work, stage, err) : tl_post_run_on_device(work, stage, err);
+    tl_timings_end(work->timings, tl_post_stage_rows[stage->name].word, clock);
+    work->counts.stages |= 1u << stage->name;
+    return status;
+}
+
+/* Until the next picture; the caller may do with its own as it likes. */
+static void let_go(tl_post_work *work)
+{
+    tl_post *post = work->post;
+    for (int part = 0; part < TL_PART_COUNT; part++)
+        if (work->context.programs[part])
+            tl_program_keep(post->device, work->context.programs[part]);
+    work->counts.device_bytes = tl_buffers_size(&post->buffers);
+    if (post->device && post->device->shares_memory)
+        tl_buffers_let_go(&post->buffers);
+    post->spare = work->to;
+}
+
+static void tell(const tl_post_work *work)
+{
+    const uint64_t mended = work->counts.mended_count;
+    if (mended > 0)
+        tl_notice(work->notices,
+                  "%" PRIu64 " pixel%s no colour, NaN or infinite, and the mean of what is "
+                  "around stands in: lighting leaves none, so look at the kernel that lit them",
+                  mended, mended == 1 ? " was" : "s were");
+}
+
+static int is_any_on(const tl_post *post, const tl_gbuffer *gbuffer)
+{
+    for (int i = 0; i < TL_POST_STAGE_COUNT; i++)
+        if (stages[i]->is_on(post, gbuffer))
+            return 1;
+    return 0;
+}
+
+tl_status tl_post_run(tl_post *post,
+                      const tl_gbuffer *gbuffer,
+                      tl_image **image,
+                      tl_timings *timings,
+                      const tl_notices *notices,
+                      tl_post_counts *counts,
+                      tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_post_work work = {.post = post,
+                         .gbuffer = gbuffer,
+                         .from = *image,
+                         .to = post->spare,
+                         .context = {.device = post->device, .buffers = &post->buffers},
+                         .timings = timings,
+                         .notices = notices};
+    if (counts)
+        *counts = work.counts;
+    if (!is_any_on(post, gbuffer))
+        return TL_OK;
+    post->spare = NULL;
+    for (int i = 0; i < TL_POST_STAGE_COUNT; i++)
+        if (stages[i]->is_on(post, gbuffer))
+            TRY(run_stage(&work, stages[i], err));
+    TRY(tl_post_bring_back(&work, err));
+    tell(&work);
+done:
+    let_go(&work);
+    *image = work.from;
+    if (counts)
+        *counts = work.counts;
+    return status;
+}

@@ -1,0 +1,38 @@
+/* Stages after lighting in C: what the text of their kernels, compiled once per arithmetic, is called
+ * with. */
+#ifndef TL_STAGE_ROWS_H
+#define TL_STAGE_ROWS_H
+
+#include "post.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* Steps of stages, each for all rows before the next.
+ * X(name) */
+#define TL_POST_STEPS(X)            \
+    X(TL_POST_STEP_COUNT_NO_COLORS) \
+    X(TL_POST_STEP_MEND)
+
+typedef enum tl_post_step {
+#define TL_POST_STEP_NAME(name) name,
+    TL_POST_STEPS(TL_POST_STEP_NAME)
+#undef TL_POST_STEP_NAME
+        TL_POST_STEP_COUNT
+} tl_post_step;
+
+/* What a step works on; what it does not need is 0. */
+typedef struct tl_post_rows_job {
+    tl_view_picture view;
+    const float *from; /* as POST_FROM */
+    float *to;
+    uint64_t count; /* is raised */
+} tl_post_rows_job;
+
+/* What every twin of them is called with: rows [begin, end). */
+typedef void tl_post_rows_twin(tl_post_rows_job *job,
+                               tl_post_step step,
+                               size_t begin,
+                               size_t end);
+
+#endif
