@@ -20,6 +20,7 @@ target_include_directories(test_ispc_read PRIVATE ${PROJECT_SOURCE_DIR}/host/fil
 tl_exr_test(test_file_gbuffer_refusals)
 tl_exr_test(test_file_exr_damaged)
 tl_test(test_file_image_exr unit tl_files)
+tl_test(test_file_pfm unit tl_files)
 tl_test(test_file_png unit tl_files)
 tl_test(test_file_atomic unit tl_files)
 tl_test(test_lights_file_round_trip unit tl_files)

@@ -145,7 +145,8 @@ static void pixels_that_cannot_be_lit_are_repaired_or_refused(void **state)
 static void reports_are_one_json_object(void **state)
 {
     static const char *const commands[] = {
-        "$T render $D/nine-lights.gltf --size 64x64 -o a.png -o a.exr --json --timings",
+        "$T render $D/nine-lights.gltf --size 64x64 -o a.png -o a.exr -o a.pfm --json "
+        "--timings",
         "$T capture $D/nine-lights.gltf --size 64x64 -o g.exr --lights-out l.json --json",
         "$T light g.exr -o b.png --exposure auto --json",
         "$T scatter g.exr -o s.json --json",
@@ -154,6 +155,7 @@ static void reports_are_one_json_object(void **state)
         "$T info g.exr --json",
         "$T info a.png --json",
         "$T info a.exr --json",
+        "$T info a.pfm --json",
         "$T info l.json --json",
         "$T devices --json",
     };
@@ -170,6 +172,42 @@ static void reports_are_one_json_object(void **state)
                "\"shade\":", "");
     expect_run("$T render $D/nine-lights.gltf --size 64x64 -o a.png --timings", 0, "",
                "shade ");
+}
+
+/* What the report says of each output, and that floats are the same in every file, through a pipe too. */
+static void outputs_are_what_the_report_says(void **state)
+{
+    static const char *const wanted[] = {
+        "{\"file\": \"a.png\", \"format\": \"PNG\", \"size\": [64, 48], \"bits\": 16, "
+        "\"tone\": \"reinhard\", \"curve\": \"srgb\"}",
+        "{\"file\": \"a.exr\", \"format\": \"OpenEXR\", \"size\": [64, 48], \"numbers\": "
+        "\"float\", \"compression\": \"piz\"}",
+        "{\"file\": \"a.pfm\", \"format\": \"PFM\", \"size\": [64, 48], \"numbers\": "
+        "\"float\"}",
+    };
+    (void)state;
+    const program_run *run = expect_run(
+        "$T render $D/nine-lights.gltf --size 64x48 -o a.png -o a.exr -o a.pfm --png "
+        "16 --tone reinhard --exr-compression piz --json",
+        0, "{", "");
+    json_t *report = json_loads(run->out, JSON_REJECT_DUPLICATES, NULL);
+    json_t *outputs = json_object_get(report, "outputs");
+    assert_int_equal(json_array_size(outputs), COUNT_OF(wanted));
+    for (size_t i = 0; i < COUNT_OF(wanted); i++) {
+        json_t *expected = json_loads(wanted[i], 0, NULL);
+        assert_non_null(expected);
+        if (!json_equal(json_array_get(outputs, i), expected))
+            fail_msg("not %s:\n%s", wanted[i], run->out);
+        json_decref(expected);
+    }
+    json_decref(report);
+    expect_run("$T info a.pfm", 0, "PFM, 64 x 48 pixels", "");
+    expect_run("$T info a.png", 0, "PNG, 64 x 48 pixels", "");
+    expect_run(
+        "$T render $D/nine-lights.gltf --size 64x48 -o pfm:- >piped.pfm && cmp piped.pfm "
+        "a.pfm",
+        0, "", "");
+    expect_run("$T compare a.pfm a.exr --tolerance 0", 0, "PSNR", "");
 }
 
 static void options_reach_the_picture(void **state)
@@ -220,6 +258,7 @@ int main(void)
         cmocka_unit_test_setup(reference_and_twin_need_no_device, enter),
         cmocka_unit_test_setup(pixels_that_cannot_be_lit_are_repaired_or_refused, enter),
         cmocka_unit_test_setup(reports_are_one_json_object, enter),
+        cmocka_unit_test_setup(outputs_are_what_the_report_says, enter),
         cmocka_unit_test_setup(options_reach_the_picture, enter),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -7,6 +7,7 @@
 #include "tilelight/image.h"
 
 #include <float.h>
+#include <unistd.h>
 
 static tl_image *make_image(uint32_t width, uint32_t height)
 {
@@ -44,7 +45,7 @@ static void pictures_come_back(void **state)
             int is_png = 1;
             snprintf(name, sizeof name, "%u x %u, %s", image->width, image->height,
                      half ? "half" : "float");
-            ASSERT_OK(tl_image_write_exr(path, image, half, &err), err);
+            ASSERT_OK(tl_image_write_exr(path, image, (tl_exr_form){.half = half}, &err), err);
             ASSERT_OK(tl_image_read(path, &read, &is_png, &err), err);
             assert_int_equal(is_png, 0);
             assert_int_equal(read->width, image->width);
@@ -57,6 +58,69 @@ static void pictures_come_back(void **state)
             tl_image_destroy(image);
         }
     remove(path);
+}
+
+#define WORD(name, word, is_written, what) [name] = word,
+#define WRITTEN(name, word, is_written, what) [name] = is_written,
+static const char *const words[] = {TL_EXR_COMPRESSIONS(WORD)};
+static const int written[] = {TL_EXR_COMPRESSIONS(WRITTEN)};
+
+/* What a compression adds to the rounding to the file's numbers. Blocks of B44 hold each half to a 64th of
+ * how far the block's halves reach, counted from float to float; here they reach over 31 powers of 2 at
+ * most, so that half a step is a quarter of one. */
+static double rounding_of(tl_exr_form form, double value)
+{
+    if (form.compression == TL_EXR_PXR24 && !form.half)
+        return 0x1p-16 * value;
+    const int is_block = form.compression == TL_EXR_B44 || form.compression == TL_EXR_B44A;
+    return is_block && form.half ? 0.25 * value + 0x1p-14 : 0.0;
+}
+
+static void every_compression_comes_back(void **state)
+{
+    char path[512];
+    tl_error err;
+    tl_image *image = make_image(70, 35);
+    (void)state;
+    scratch_path(path, sizeof path, "compressed.exr");
+    for (unsigned k = 0; k < 2 * TL_EXR_COMPRESSION_COUNT; k++) {
+        const tl_exr_form form = {(int)(k % 2), (tl_exr_compression)(k / 2)};
+        tl_image *read = NULL;
+        if (!written[form.compression])
+            continue;
+        ASSERT_OK(tl_image_write_exr(path, image, form, &err), err);
+        ASSERT_OK(tl_image_read(path, &read, NULL, &err), err);
+        for (size_t i = 0; i < (size_t)3 * image->rows * image->pitch; i++) {
+            const double value = (double)image->planes[i];
+            const double bound =
+                rounding_of(form, value) + (form.half ? fmax(0x1p-11 * value, 0x1p-25) : 0.0);
+            if (!(fabs((double)read->planes[i] - value) <= bound))
+                fail_msg("%s of %s: %a, not %a", words[form.compression],
+                         form.half ? "halves" : "floats", (double)read->planes[i], value);
+        }
+        tl_image_destroy(read);
+    }
+    tl_image_destroy(image);
+    remove(path);
+}
+
+/* The library refuses those that the table says it lacks, and nothing is left of the file. */
+static void others_are_not_written(void **state)
+{
+    static const char *const cannot[] = {"cannot do this", NULL};
+    char path[512];
+    tl_error err;
+    tl_image *image = make_image(70, 35);
+    (void)state;
+    scratch_path(path, sizeof path, "dwa.exr");
+    for (int c = 0; c < TL_EXR_COMPRESSION_COUNT; c++)
+        if (!written[c]) {
+            const tl_exr_form form = {.half = 1, .compression = (tl_exr_compression)c};
+            assert_refused(words[c], tl_image_write_exr(path, image, form, &err),
+                           TL_ERR_UNSUPPORTED, &err, cannot);
+            assert_int_equal(access(path, F_OK), -1);
+        }
+    tl_image_destroy(image);
 }
 
 /* Halves end at 65504: what is above is that, and nothing that is finite becomes infinite. */
@@ -73,7 +137,7 @@ static void halves_hold_no_infinity(void **state)
     for (unsigned c = 0; c < 3; c++)
         memcpy(tl_image_plane(image, c), values, sizeof values);
     assert_int_equal(tl_image_count_above(image, 65504.0f), 4);
-    ASSERT_OK(tl_image_write_exr(path, image, 1, &err), err);
+    ASSERT_OK(tl_image_write_exr(path, image, (tl_exr_form){.half = 1}, &err), err);
     ASSERT_OK(tl_image_read(path, &read, &is_png, &err), err);
     for (unsigned c = 0; c < 3; c++)
         for (size_t i = 0; i < COUNT; i++)
@@ -97,7 +161,7 @@ static void threads_change_nothing(void **state)
             tl_error err;
             size_t size;
             setenv("TILELIGHT_THREADS", threads[i], 1);
-            ASSERT_OK(tl_image_write_exr(path, image, half, &err), err);
+            ASSERT_OK(tl_image_write_exr(path, image, (tl_exr_form){.half = half}, &err), err);
             unsigned char *bytes = load_bytes(path, &size);
             if (!first) {
                 first = bytes;
@@ -125,11 +189,11 @@ static void failures_are_told(void **state)
     tl_image *image = make_image(40, 30);
     scratch_path(path, sizeof path, "absent/x.exr");
     own_device(full, sizeof full, "image_full", 7);
-    assert_refused("full", tl_image_write_exr(full, image, 0, &err), TL_ERR_WRITE, &err,
-                   full_words);
+    assert_refused("full", tl_image_write_exr(full, image, (tl_exr_form){0}, &err),
+                   TL_ERR_WRITE, &err, full_words);
     remove_device(full);
-    assert_refused("absent", tl_image_write_exr(path, image, 1, &err), TL_ERR_WRITE, &err,
-                   absent);
+    assert_refused("absent", tl_image_write_exr(path, image, (tl_exr_form){.half = 1}, &err),
+                   TL_ERR_WRITE, &err, absent);
     tl_image_destroy(image);
 }
 
@@ -137,6 +201,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pictures_come_back),
+        cmocka_unit_test(every_compression_comes_back),
+        cmocka_unit_test(others_are_not_written),
         cmocka_unit_test(halves_hold_no_infinity),
         cmocka_unit_test(threads_change_nothing),
         cmocka_unit_test(failures_are_told),

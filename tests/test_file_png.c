@@ -75,6 +75,31 @@ static void ours_come_back(void **state)
     remove(path);
 }
 
+static void deep_ones_come_back(void **state)
+{
+    enum { WIDTH = 67, HEIGHT = 29 };
+    static uint16_t rgb[3 * WIDTH * HEIGHT];
+    uint32_t random = 3;
+    char path[512];
+    tl_error err;
+    tl_image *image = NULL;
+    (void)state;
+    scratch_path(path, sizeof path, "deep.png");
+    for (size_t i = 0; i < COUNT_OF(rgb); i++)
+        rgb[i] = (uint16_t)(next_random(&random) >> 16);
+    ASSERT_OK(tl_png_write_deep(path, rgb, WIDTH, HEIGHT, TL_CURVE_SRGB, &err), err);
+    ASSERT_OK(tl_image_read(path, &image, NULL, &err), err);
+    assert_int_equal(image->width, WIDTH);
+    assert_int_equal(image->height, HEIGHT);
+    for (size_t i = 0; i < COUNT_OF(rgb); i++) {
+        const size_t x = i / 3 % WIDTH, y = i / 3 / WIDTH;
+        const float got = tl_image_plane(image, (unsigned)(i % 3))[y * image->pitch + x];
+        assert_true(same_bits(got, (float)rgb[i] / 65535.0f));
+    }
+    tl_image_destroy(image);
+    remove(path);
+}
+
 /* IHDR stands first (ISO/IEC 15948, 5.6): 8 bits, colour type 2, not interlaced. */
 static void ours_say_srgb(void **state)
 {
@@ -174,6 +199,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(values_of_every_colour_type),
         cmocka_unit_test(ours_come_back),
+        cmocka_unit_test(deep_ones_come_back),
         cmocka_unit_test(ours_say_srgb),
         cmocka_unit_test(truncations_are_refused),
         cmocka_unit_test(changed_bytes_do_no_harm),

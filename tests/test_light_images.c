@@ -37,7 +37,7 @@ static void write_exr(const char *name, uint32_t width, uint32_t height, float v
     ASSERT_OK(tl_image_create(width, height, &image, &err), err);
     for (unsigned c = 0; c < 3; c++)
         tl_image_plane(image, c)[width - 1] = c == 1 ? value : 0.25f;
-    ASSERT_OK(tl_image_write_exr(path_of(name), image, 0, &err), err);
+    ASSERT_OK(tl_image_write_exr(path_of(name), image, (tl_exr_form){0}, &err), err);
     tl_image_destroy(image);
 }
 

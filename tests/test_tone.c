@@ -207,6 +207,36 @@ static void codes_are_rounded_from_what_is_shown(void **state)
     }
 }
 
+/* Codes of 16 bits are 65535 times what is shown, which is rounded to floats of 0 to 1: 0.002 of a code. */
+static void deep_codes_are_rounded_from_what_is_shown(void **state)
+{
+    enum { SIDE = 64 };
+    static const double slack = 2.5e-3;
+    static uint16_t codes[3 * SIDE * SIDE];
+    tl_error err;
+    (void)state;
+    for (size_t s = 0; s < COUNT_OF(settings); s++) {
+        tl_image *image = NULL;
+        ASSERT_OK(tl_image_create(SIDE, SIDE, &image, &err), err);
+        for (uint32_t i = 0; i < 3 * SIDE * SIDE; i++) {
+            const uint32_t bits = (uint32_t)((uint64_t)0x7f800000 * i / (3 * SIDE * SIDE - 1));
+            memcpy(&tl_image_plane(image, i % 3)[i / 3 / SIDE * image->pitch + i / 3 % SIDE],
+                   &bits, sizeof bits);
+        }
+        tl_image_to_rgb16(image, settings[s].exposure, settings[s].look, codes);
+        tl_image_to_screen(image, settings[s].exposure, settings[s].look);
+        for (uint32_t i = 0; i < 3 * SIDE * SIDE; i++) {
+            const float value =
+                tl_image_plane(image, i % 3)[i / 3 / SIDE * image->pitch + i / 3 % SIDE];
+            const int cuts = settings[s].look.curve == TL_CURVE_GAMMA_22;
+            const double above = 65535.0 * (double)value - codes[i];
+            if (!(above >= (cuts ? 0.0 : -0.5) - slack && above <= (cuts ? 1.0 : 0.5) + slack))
+                fail_msg("%s: %.9f is code %d", settings[s].name, (double)value, codes[i]);
+        }
+        tl_image_destroy(image);
+    }
+}
+
 static void special_values_are_black_or_white(void **state)
 {
     static const float specials[] = {NAN,    -NAN,      0.0f,     -0.0f,   -1.0f,
@@ -322,6 +352,7 @@ int main(void)
         cmocka_unit_test(published_values_come_out),
         cmocka_unit_test(brighter_is_never_darker),
         cmocka_unit_test(codes_are_rounded_from_what_is_shown),
+        cmocka_unit_test(deep_codes_are_rounded_from_what_is_shown),
         cmocka_unit_test(special_values_are_black_or_white),
         cmocka_unit_test(auto_exposure_brings_the_log_average_to_grey),
         cmocka_unit_test(threads_change_nothing),

@@ -40,7 +40,8 @@ static tl_status write_picture(const void *context, tl_error *err)
 {
     const writing_job *job = context;
     if (job->output != TL_STUDY_PNG)
-        return tl_image_write_exr(job->path, job->image, job->output == TL_STUDY_HALF, err);
+        return tl_image_write_exr(job->path, job->image,
+                                  (tl_exr_form){.half = job->output == TL_STUDY_HALF}, err);
     make_codes(job, err);
     return tl_png_write(job->path, job->rgb, job->image->width, job->image->height,
                         TL_CURVE_SRGB, err);

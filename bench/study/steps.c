@@ -43,7 +43,7 @@ static tl_status through_file(const tl_image *image,
                               tl_error *err)
 {
     tl_status status = TL_OK;
-    TRY(tl_image_write_exr(path, image, 1, err));
+    TRY(tl_image_write_exr(path, image, (tl_exr_form){.half = 1}, err));
     TRY(tl_image_read(path, out, NULL, err));
 done:
     unlink(path);

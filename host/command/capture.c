@@ -2,6 +2,7 @@
 #include "commands.h"
 #include "console.h"
 #include "job_capture.h"
+#include "output.h"
 #include "strict_options.h"
 #include "tilelight/gbuffer_file.h"
 #include "try.h"

@@ -8,6 +8,7 @@
 #include "json_values.h"
 #include "kernel_options.h"
 #include "layers_options.h"
+#include "output.h"
 #include "tilelight/layouts.h"
 #include "try.h"
 #include "values.h"
@@ -216,7 +217,7 @@ static tl_status write_diff(const check_command *options, const tl_image *ratios
     if (!options->diff)
         goto done;
     if (options->diff_kind == OUTPUT_EXR) {
-        TRY(tl_image_write_exr(options->diff, ratios, 0, err));
+        TRY(tl_image_write_exr(options->diff, ratios, (tl_exr_form){0}, err));
         goto done;
     }
     rgb = malloc(3 * (size_t)ratios->width * ratios->height);

@@ -82,7 +82,7 @@ static const struct argp argp = {
     .args_doc = "A B",
     .doc =
         "Compares two pictures of one size, channel by channel: OpenEXR files by their R, G, "
-        "B; PNGs by their stored values, from 0 to 1.",
+        "B; PFMs; PNGs by their stored values, from 0 to 1.",
     .children = children,
 };
 

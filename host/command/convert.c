@@ -3,6 +3,7 @@
 #include "console.h"
 #include "import_options.h"
 #include "job.h"
+#include "output.h"
 #include "plane_channels.h"
 #include "strict_options.h"
 #include "tilelight/gbuffer_file.h"

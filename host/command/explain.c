@@ -5,6 +5,7 @@
 #include "explain_map.h"
 #include "explain_text.h"
 #include "explain_use.h"
+#include "output.h"
 #include "surface_pixels.h"
 #include "try.h"
 

@@ -53,11 +53,11 @@ static const struct argp_child children[] = {
 static const struct argp argp = {
     .parser = parse,
     .args_doc = "FILE",
-    .doc =
-        "Says what is in a G-buffer, a capture of another program (OpenEXR or PFM) and what "
-        "lighting it lacks, a picture (OpenEXR or PNG) or a lights file, told apart by their "
-        "first bytes; or in a glTF scene (.gltf, .glb), and what `capture' and `render' can "
-        "choose of it: cameras, animations, variants.",
+    .doc = "Says what is in a G-buffer, a capture of another program (OpenEXR or PFM) and what "
+           "lighting it lacks, a picture (OpenEXR, PFM or PNG) or a lights file, told apart by "
+           "their "
+           "first bytes; or in a glTF scene (.gltf, .glb), and what `capture' and `render' can "
+           "choose of it: cameras, animations, variants.",
     .children = children,
 };
 
@@ -112,9 +112,8 @@ json_t *info_values_json(const info_values *v)
 
 static const char *const channel_names[] = {"R", "G", "B"};
 
-static tl_status picture_info(const tl_image *image, bool is_png, bool json, tl_error *err)
+static tl_status picture_info(const tl_image *image, const char *kind, bool json, tl_error *err)
 {
-    const char *kind = is_png ? "PNG" : "OpenEXR";
     json_t *channels = json_object();
     if (!json)
         printf("picture     %s, %u x %u pixels\n%-12s %12s %12s %12s\n", kind, image->width,
@@ -200,12 +199,12 @@ done:
     return status;
 }
 
-static tl_status image_info(const char *path, bool is_png, bool json, tl_error *err)
+static tl_status image_info(const char *path, const char *kind, bool json, tl_error *err)
 {
     tl_status status = TL_OK;
     tl_image *image = NULL;
     TRY(tl_image_read(path, &image, NULL, err));
-    TRY(picture_info(image, is_png, json, err));
+    TRY(picture_info(image, kind, json, err));
 done:
     tl_image_destroy(image);
     return status;
@@ -223,19 +222,32 @@ static tl_status exr_info(const info_command *options, tl_error *err)
         return own_info(path, options->report.json, err);
     TRY(import_info(options, &is_picture, err));
     if (is_picture)
-        TRY(image_info(path, false, options->report.json, err));
+        TRY(image_info(path, "OpenEXR", options->report.json, err));
 done:
     return status;
 }
 
+/* Of three numbers a pixel: a picture, unless options say what its numbers are. */
 static tl_status pfm_info(const info_command *options, tl_error *err)
+{
+    tl_status status = TL_OK;
+    bool is_picture = false;
+    TRY(import_info(options, options->import.map_count == 0 ? &is_picture : NULL, err));
+    if (is_picture)
+        TRY(image_info(options->path, "PFM", options->report.json, err));
+done:
+    return status;
+}
+
+/* Of one: depths, more often than not. */
+static tl_status gray_pfm_info(const info_command *options, tl_error *err)
 {
     return import_info(options, NULL, err);
 }
 
 static tl_status png_info(const info_command *options, tl_error *err)
 {
-    return image_info(options->path, true, options->report.json, err);
+    return image_info(options->path, "PNG", options->report.json, err);
 }
 
 static tl_status lights_info(const char *path, bool json, tl_error *err)
@@ -321,7 +333,7 @@ static const struct {
     {{0x76, 0x2f, 0x31, 0x01}, 4, exr_info},
     {{0x89, 'P', 'N', 'G'}, 4, png_info},
     {{'P', 'F'}, 2, pfm_info},
-    {{'P', 'f'}, 2, pfm_info},
+    {{'P', 'f'}, 2, gray_pfm_info},
     {{'g', 'l', 'T', 'F'}, 4, scene_info},
 };
 

@@ -3,7 +3,6 @@
 #ifndef TL_JOB_H
 #define TL_JOB_H
 
-#include "output.h"
 #include "report_options.h"
 #include "tilelight/gbuffer.h"
 #include "tilelight/image.h"
@@ -47,9 +46,6 @@ tl_status job_unpack(job *j, tl_error *err);
 
 /* A G-buffer that was just captured, repaired. `name` is what messages call it. */
 tl_status job_repair(job *j, const char *name, bool strict, tl_error *err);
-
-/* Pictures for each output; the image stays linear. */
-tl_status job_write_pictures(job *j, const picture_options *options, tl_error *err);
 
 /* Whether lights that a capture found say anything: any light, ambient light, sky. */
 bool job_has_lights(const job *j);

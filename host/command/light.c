@@ -3,6 +3,7 @@
 #include "console.h"
 #include "import_options.h"
 #include "job_light.h"
+#include "job_pictures.h"
 #include "layers_options.h"
 #include "promise_options.h"
 #include "try.h"

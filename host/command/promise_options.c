@@ -85,7 +85,7 @@ void promise_check_together(const promise_choice *promise,
                    "%s is kept against ambient occlusion of %d samples: leave "
                    "--occlusion-samples out",
                    promise->option, TL_DEFAULT_OCCLUSION_SAMPLES);
-    if (pictures->half && promise->goal.kind != TL_GOAL_TIME)
+    if (pictures->exr.half && promise->goal.kind != TL_GOAL_TIME)
         argp_error(state, "%s is kept by pictures in float: leave --exr half out",
                    promise->option);
 }

@@ -4,7 +4,7 @@
 
 #include "goal.h"
 #include "lighting_options.h"
-#include "output.h"
+#include "picture_options.h"
 
 #include <argp.h>
 

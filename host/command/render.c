@@ -3,6 +3,7 @@
 #include "console.h"
 #include "job_capture.h"
 #include "job_light.h"
+#include "job_pictures.h"
 #include "promise_options.h"
 #include "tilelight/scatter.h"
 #include "try.h"

@@ -6,6 +6,7 @@
 #include "import_options.h"
 #include "job.h"
 #include "light_words.h"
+#include "output.h"
 #include "try.h"
 #include "values.h"
 

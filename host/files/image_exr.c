@@ -1,5 +1,6 @@
 #include "image_exr.h"
 
+#include "exr_compression.h"
 #include "exr_reader.h"
 #include "exr_writer.h"
 #include "ranges.h"
@@ -19,7 +20,10 @@ static void cut_row(const void *context, uint32_t y, void *const rows[TL_EXR_MAX
     }
 }
 
-tl_status tl_image_write_exr(const char *path, const tl_image *image, int half, tl_error *err)
+tl_status tl_image_write_exr(const char *path,
+                             const tl_image *image,
+                             tl_exr_form form,
+                             tl_error *err)
 {
     tl_status status = TL_OK;
     tl_exr_writer writer = {.stream.context = NULL};
@@ -29,15 +33,15 @@ tl_status tl_image_write_exr(const char *path, const tl_image *image, int half, 
                                     .pitch = image->pitch,
                                     .channel_count = 3,
                                     .channels = channels,
-                                    .compute = half ? cut_row : NULL,
+                                    .compute = form.half ? cut_row : NULL,
                                     .context = image};
     for (unsigned c = 0; c < 3; c++)
         channels[c] = (tl_exr_channel){.name = channel_names[c],
-                                       .type = half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT,
+                                       .type = tl_exr_type_of(form),
                                        .held = EXR_PIXEL_FLOAT,
-                                       .plane = half ? NULL : tl_image_plane(image, c)};
+                                       .plane = form.half ? NULL : tl_image_plane(image, c)};
     TRY(tl_exr_writer_begin(&writer, path, image->width, image->height,
-                            half ? EXR_COMPRESSION_ZIP : EXR_COMPRESSION_NONE, err));
+                            tl_exr_compression_of(form), err));
     TRY(tl_exr_writer_pixels(&writer, &picture, err));
     TRY(tl_exr_writer_commit(&writer, err));
 done:

@@ -40,18 +40,21 @@ static int set_curve(spng_ctx *context, tl_curve curve)
     return spng_set_gama(context, 1.0 / 2.2);
 }
 
-tl_status tl_png_write(const char *path,
-                       const uint8_t *rgb,
-                       uint32_t width,
-                       uint32_t height,
-                       tl_curve curve,
-                       tl_error *err)
+/* pixels: [height][width][3] numbers of `depth` bits. */
+static tl_status write_pixels(const char *path,
+                              const void *pixels,
+                              uint8_t depth,
+                              uint32_t width,
+                              uint32_t height,
+                              tl_curve curve,
+                              tl_error *err)
 {
     tl_status status = TL_OK;
     struct spng_ihdr header = {.width = width,
                                .height = height,
-                               .bit_depth = 8,
+                               .bit_depth = depth,
                                .color_type = SPNG_COLOR_TYPE_TRUECOLOR};
+    const size_t pixels_size = (size_t)width * height * 3 * (depth / 8);
     void *bytes = NULL;
     size_t size = 0;
     int code = SPNG_OK;
@@ -65,9 +68,9 @@ tl_status tl_png_write(const char *path,
     TRY(check(spng_set_option(context, SPNG_FILTER_CHOICE, FILTERS), path, TL_ERR_WRITE, err));
     TRY(check(spng_set_ihdr(context, &header), path, TL_ERR_WRITE, err));
     TRY(check(set_curve(context, curve), path, TL_ERR_WRITE, err));
-    TRY(check(spng_encode_image(context, rgb, (size_t)width * height * 3, SPNG_FMT_PNG,
-                                SPNG_ENCODE_FINALIZE),
-              path, TL_ERR_WRITE, err));
+    TRY(check(
+        spng_encode_image(context, pixels, pixels_size, SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE),
+        path, TL_ERR_WRITE, err));
     bytes = spng_get_png_buffer(context, &size, &code);
     TRY(check(code, path, TL_ERR_WRITE, err));
     TRY(tl_whole_file_write(path, bytes, size, err));
@@ -75,6 +78,26 @@ done:
     free(bytes);
     spng_ctx_free(context);
     return status;
+}
+
+tl_status tl_png_write(const char *path,
+                       const uint8_t *rgb,
+                       uint32_t width,
+                       uint32_t height,
+                       tl_curve curve,
+                       tl_error *err)
+{
+    return write_pixels(path, rgb, 8, width, height, curve, err);
+}
+
+tl_status tl_png_write_deep(const char *path,
+                            const uint16_t *rgb,
+                            uint32_t width,
+                            uint32_t height,
+                            tl_curve curve,
+                            tl_error *err)
+{
+    return write_pixels(path, rgb, 16, width, height, curve, err);
 }
 
 /* What a decoded PNG is spread into planes from. */

@@ -1,4 +1,5 @@
 #include "image_exr.h"
+#include "image_pfm.h"
 #include "image_png.h"
 
 #include "try.h"
@@ -15,6 +16,8 @@ static const struct {
     int is_png;
 } formats[] = {
     {{0x76, 0x2f, 0x31, 0x01}, 4, tl_image_read_exr, 0},
+    {{'P', 'F'}, 2, tl_image_read_pfm, 0},
+    {{'P', 'f'}, 2, tl_image_read_pfm, 0},
     {{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'}, 8, tl_image_read_png, 1},
 };
 
@@ -40,5 +43,6 @@ tl_status tl_image_read(const char *path, tl_image **out, int *is_png, tl_error 
             *is_png = formats[i].is_png;
         return status;
     }
-    return tl_fail(err, TL_ERR_FORMAT, "%s: is neither an OpenEXR nor a PNG file", path);
+    return tl_fail(err, TL_ERR_FORMAT, "%s: is neither an OpenEXR nor a PFM nor a PNG file",
+                   path);
 }

@@ -181,6 +181,13 @@ void tl_image_to_rgb8(const tl_image *image, float exposure, tl_look look, uint8
     tl_parallel(image->height, ROWS_PER_SUM, encode_rows, &job);
 }
 
+/* What a value is shown as, 0 to 1. */
+static double shown(float radiance, double scale, tl_look look)
+{
+    const double exposed = radiance > 0.0f ? fmin((double)radiance * scale, DBL_MAX) : 0.0;
+    return from_linear[look.curve](tones[look.tone](exposed));
+}
+
 typedef struct screen_job {
     tl_image *image;
     double scale;
@@ -193,11 +200,8 @@ static void show_rows(void *context, size_t begin, size_t end)
     const tl_image *image = job->image;
     for (size_t i = 3 * begin; i < 3 * end; i++) {
         float *row = image->planes + (i / 3 + i % 3 * image->rows) * image->pitch;
-        for (size_t x = 0; x < image->width; x++) {
-            const double radiance =
-                row[x] > 0.0f ? fmin((double)row[x] * job->scale, DBL_MAX) : 0.0;
-            row[x] = (float)from_linear[job->look.curve](tones[job->look.tone](radiance));
-        }
+        for (size_t x = 0; x < image->width; x++)
+            row[x] = (float)shown(row[x], job->scale, job->look);
     }
 }
 
@@ -205,6 +209,32 @@ void tl_image_to_screen(tl_image *image, float exposure, tl_look look)
 {
     screen_job job = {image, scale_of(exposure), look};
     tl_parallel(image->height, ROWS_PER_SUM, show_rows, &job);
+}
+
+typedef struct deep_job {
+    const tl_image *image;
+    double scale;
+    tl_look look;
+    uint16_t *rgb;
+} deep_job;
+
+static void encode_deep_rows(void *context, size_t begin, size_t end)
+{
+    const deep_job *job = context;
+    const tl_image *image = job->image;
+    const double rounding = roundings[job->look.curve];
+    for (size_t i = 3 * begin; i < 3 * end; i++) {
+        const float *row = tl_image_plane(image, (unsigned)(i % 3)) + i / 3 * image->pitch;
+        uint16_t *out = job->rgb + i / 3 * image->width * 3 + i % 3;
+        for (size_t x = 0; x < image->width; x++)
+            out[3 * x] = (uint16_t)(65535.0 * shown(row[x], job->scale, job->look) + rounding);
+    }
+}
+
+void tl_image_to_rgb16(const tl_image *image, float exposure, tl_look look, uint16_t *rgb)
+{
+    deep_job job = {image, scale_of(exposure), look, rgb};
+    tl_parallel(image->height, ROWS_PER_SUM, encode_deep_rows, &job);
 }
 
 /* Each entry of sums is one thread's at a time, and they are added in order: the result does not

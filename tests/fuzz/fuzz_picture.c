@@ -1,5 +1,5 @@
-/* Pictures that lights shine through or that are compared, OpenEXR or PNG: does any file do more than be
- * refused? */
+/* Pictures that lights shine through or that are compared, OpenEXR, PFM or PNG: does any file do more than
+ * be refused? */
 #include "fuzz.h"
 
 #include "tilelight/image.h"

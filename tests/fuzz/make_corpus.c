@@ -131,6 +131,7 @@ static void pfm_pictures(void)
             memcpy(bytes + length + 4 * i, &value, 4);
         }
         snprintf(name, sizeof name, "picture-%d.pfm", kind);
+        save_bytes(path_of("picture", name), bytes, (size_t)length + 4 * 12 * numbers);
         save_bytes(path_of("import", name), bytes, (size_t)length + 4 * 12 * numbers);
         put_options(path_of("import", name), (const unsigned char[6]){0, 0, 0, 1, 5, 1});
     }
@@ -155,8 +156,12 @@ static void exr_pictures(void)
     ASSERT_OK(tl_image_create(9, 5, &image, &err), err);
     for (size_t i = 0; i < (size_t)3 * image->rows * image->pitch; i++)
         image->planes[i] = (float)(i % 97) * 0.125f;
-    ASSERT_OK(tl_image_write_exr(path_of("picture", "float.exr"), image, 0, &err), err);
-    ASSERT_OK(tl_image_write_exr(path_of("picture", "half.exr"), image, 1, &err), err);
+    ASSERT_OK(
+        tl_image_write_exr(path_of("picture", "float.exr"), image, (tl_exr_form){0}, &err),
+        err);
+    ASSERT_OK(tl_image_write_exr(path_of("picture", "half.exr"), image,
+                                 (tl_exr_form){.half = 1}, &err),
+              err);
     tl_image_destroy(image);
 }
 

@@ -1,4 +1,4 @@
-/* Pictures: linear radiance in memory; OpenEXR and PNG as files. */
+/* Pictures: linear radiance in memory; OpenEXR, PFM and PNG as files. */
 #ifndef TL_IMAGE_H
 #define TL_IMAGE_H
 
@@ -86,24 +86,71 @@ float tl_image_auto_exposure(const tl_image *image);
  * fail. */
 void tl_image_to_rgb8(const tl_image *image, float exposure, tl_look look, uint8_t *rgb);
 
+/* The same with 16 bits: 65535 times what is shown, rounded as the curve says. */
+void tl_image_to_rgb16(const tl_image *image, float exposure, tl_look look, uint16_t *rgb);
+
 /* The same before it is rounded: every value becomes what the curves make of it, 0 to 1, of which the
  * codes are 255 times. In place. On all threads. Cannot fail. */
 void tl_image_to_screen(tl_image *image, float exposure, tl_look look);
 
-/* Atomic writers, as tl_gbuffer_write. OpenEXR: channels R, G, B, linear; half is zip-compressed
- * at a low level, and what is above 65504, the largest half, is that; float is not compressed: zip
- * takes some 80 times the processor time for 43 % fewer bytes. A PNG says by which curve its codes are.
- * Fail with TL_ERR_WRITE or TL_ERR_MEMORY. "-" writes a PNG to standard output. */
-tl_status tl_image_write_exr(const char *path, const tl_image *image, int half, tl_error *err);
+/* Compressions of OpenEXR. Those that round do so by as much as they say.
+ * X(name, word on the command line, whether OpenEXRCore 3.1 writes it, what) */
+#define TL_EXR_COMPRESSIONS(X)                                                                \
+    X(TL_EXR_USUAL, "usual", 1, "zip of halves, none of floats")                              \
+    X(TL_EXR_NONE, "none", 1, "as the numbers are")                                           \
+    X(TL_EXR_RLE, "rle", 1, "runs of equal bytes")                                            \
+    X(TL_EXR_ZIPS, "zips", 1, "deflate, row by row")                                          \
+    X(TL_EXR_ZIP, "zip", 1, "deflate, 16 rows at a time")                                     \
+    X(TL_EXR_PIZ, "piz", 1, "wavelets, 32 rows at a time")                                    \
+    X(TL_EXR_PXR24, "pxr24", 1, "deflate; floats are rounded to 24 bits, 2^-16 of the value") \
+    X(TL_EXR_B44, "b44", 1,                                                                   \
+      "blocks of 4 x 4 halves in 14 bytes, whatever they hold, rounded; floats stay as they " \
+      "are")                                                                                  \
+    X(TL_EXR_B44A, "b44a", 1, "as b44, and blocks of one value in 3 bytes")                   \
+    X(TL_EXR_DWAA, "dwaa", 0, "cosines, 32 rows at a time")                                   \
+    X(TL_EXR_DWAB, "dwab", 0, "cosines, 256 rows at a time")
+
+typedef enum tl_exr_compression {
+#define TL_EXR_COMPRESSION_NAME(name, word, is_written, what) name,
+    TL_EXR_COMPRESSIONS(TL_EXR_COMPRESSION_NAME)
+#undef TL_EXR_COMPRESSION_NAME
+        TL_EXR_COMPRESSION_COUNT
+} tl_exr_compression;
+
+/* How numbers stand in an EXR. All zero is usual. */
+typedef struct tl_exr_form {
+    int half; /* else float */
+    tl_exr_compression compression;
+} tl_exr_form;
+
+/* Atomic writers, as tl_gbuffer_write; "-" is standard output, for all but OpenEXR, whose writer goes back
+ * in the file. Fail with TL_ERR_WRITE or TL_ERR_MEMORY.
+ *
+ * OpenEXR: channels R, G, B, linear. In halves what is above 65504, the largest, is that. Usual are zip for
+ * halves, at a low level, and none for floats: zip takes some 80 times the processor time for 43 % fewer
+ * bytes. A compression that is not written fails with TL_ERR_UNSUPPORTED.
+ * PFM: linear floats bit for bit, little-endian, the bottom row first.
+ * PNG: 8 or 16 bits a channel; it says by which curve its codes are. */
+tl_status tl_image_write_exr(const char *path,
+                             const tl_image *image,
+                             tl_exr_form form,
+                             tl_error *err);
+tl_status tl_image_write_pfm(const char *path, const tl_image *image, tl_error *err);
 tl_status tl_png_write(const char *path,
                        const uint8_t *rgb,
                        uint32_t width,
                        uint32_t height,
                        tl_curve curve,
                        tl_error *err);
+tl_status tl_png_write_deep(const char *path,
+                            const uint16_t *rgb,
+                            uint32_t width,
+                            uint32_t height,
+                            tl_curve curve,
+                            tl_error *err);
 
-/* Reads a picture for comparison: the R, G, B of an OpenEXR file, or an 8- or 16-bit PNG as values
- * in [0, 1] without decoding sRGB (*is_png says which; may be NULL). Sizes are checked first.
+/* Reads a picture for comparison: the R, G, B of an OpenEXR file, a PFM, or an 8- or 16-bit PNG as values
+ * in [0, 1] without decoding sRGB (*is_png says whether it is that; may be NULL). Sizes are checked first.
  * Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED or TL_ERR_MEMORY. */
 tl_status tl_image_read(const char *path, tl_image **out, int *is_png, tl_error *err);
 

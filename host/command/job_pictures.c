@@ -1,0 +1,185 @@
+#include "job_pictures.h"
+
+#include "console.h"
+#include "output.h"
+#include "ranges.h"
+#include "try.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+
+/* Beyond this many stops from where `auto` would be, a PNG shows next to nothing. */
+static const float far_off_stops = 6.0f;
+
+static float choose_exposure(job *j, const picture_options *options)
+{
+    const float automatic = tl_image_auto_exposure(j->image);
+    const float chosen = options->automatic ? automatic : options->exposure;
+    if (fabsf(automatic - chosen) > far_off_stops)
+        tl_notice(&console_notices,
+                  "the picture is very %s at %+.1f stops; --exposure auto would choose %+.1f",
+                  automatic > chosen ? "dark" : "bright", (double)chosen, (double)automatic);
+    job_report(j, "exposure", json_real((double)chosen));
+    return chosen;
+}
+
+/* What of a capture's own look is not ours, and how to have ours. */
+static void tell_look(const job *j, const picture_options *options, tl_look look)
+{
+    static const tl_look ours = {0};
+    const bool tone = !options->tone_given && look.tone != ours.tone;
+    const bool curve = !options->curve_given && look.curve != ours.curve;
+    if (!j->has_look || (!tone && !curve))
+        return;
+    tl_notice(
+        &console_notices,
+        "the picture is shown as the capture's own program does, with tone %s and curve %s; "
+        "%s%s%s%s brings ours",
+        picture_tone_word(look.tone), picture_curve_word(look.curve), tone ? "--tone " : "",
+        tone ? picture_tone_word(ours.tone) : "",
+        tone && curve ? " --curve "
+        : curve       ? "--curve "
+                      : "",
+        curve ? picture_curve_word(ours.curve) : "");
+}
+
+/* What a picture loses in halves. */
+static void tell_cut(const tl_image *image, const char *path)
+{
+    const uint64_t count = tl_image_count_above(image, TL_MOST_HALF);
+    if (count > 0)
+        tl_notice(&console_notices,
+                  "%s: %" PRIu64 " pixels are brighter than half floats can say, and have the "
+                  "largest, 65504; --exr float keeps them",
+                  path, count);
+}
+
+/* A job's pictures as they are written. */
+typedef struct writing {
+    job *j;
+    const picture_options *options;
+    const tl_image *image;
+    tl_look look;
+    void *codes; /* [height][width][3] of uint8_t or uint16_t; NULL until a PNG is written */
+} writing;
+
+/* Codes are made once, however many PNGs there are. */
+static tl_status make_codes(writing *w, tl_error *err)
+{
+    const tl_image *image = w->image;
+    const bool is_deep = w->options->depth == 16;
+    if (w->codes)
+        return TL_OK;
+    const double start = tl_seconds();
+    w->codes = malloc((is_deep ? 6 : 3) * (size_t)image->width * image->height);
+    if (!w->codes)
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for a picture of %u x %u pixels",
+                       image->width, image->height);
+    tell_look(w->j, w->options, w->look);
+    const float exposure = choose_exposure(w->j, w->options);
+    if (is_deep)
+        tl_image_to_rgb16(image, exposure, w->look, w->codes);
+    else
+        tl_image_to_rgb8(image, exposure, w->look, w->codes);
+    tl_timings_end(&w->j->timings, "tone", start);
+    return TL_OK;
+}
+
+static tl_status write_png(writing *w, const char *path, tl_error *err)
+{
+    const tl_image *image = w->image;
+    if (w->options->depth == 16)
+        return tl_png_write_deep(path, w->codes, image->width, image->height, w->look.curve,
+                                 err);
+    return tl_png_write(path, w->codes, image->width, image->height, w->look.curve, err);
+}
+
+static tl_status write_exr(writing *w, const char *path, tl_error *err)
+{
+    if (w->options->exr.half)
+        tell_cut(w->image, path);
+    return tl_image_write_exr(path, w->image, w->options->exr, err);
+}
+
+static tl_status write_pfm(writing *w, const char *path, tl_error *err)
+{
+    return tl_image_write_pfm(path, w->image, err);
+}
+
+static json_t *png_numbers(const writing *w)
+{
+    return json_pack("{si ss ss}", "bits", w->options->depth == 16 ? 16 : 8, "tone",
+                     picture_tone_word(w->look.tone), "curve",
+                     picture_curve_word(w->look.curve));
+}
+
+static json_t *exr_numbers(const writing *w)
+{
+    return json_pack("{ss ss}", "numbers", w->options->exr.half ? "half" : "float",
+                     "compression", picture_exr_word(w->options->exr));
+}
+
+static json_t *pfm_numbers(const writing *w)
+{
+    (void)w;
+    return json_pack("{ss}", "numbers", "float");
+}
+
+static const struct {
+    int kinds; /* of output.h */
+    const char *name;
+    bool has_codes;
+    tl_status (*write)(writing *w, const char *path, tl_error *err);
+    json_t *(*numbers)(const writing *w); /* for the report: what stands in it */
+} formats[] = {
+    {OUTPUT_PNG | OUTPUT_STANDARD, "PNG", true, write_png, png_numbers},
+    {OUTPUT_EXR, "OpenEXR", false, write_exr, exr_numbers},
+    {OUTPUT_PFM | OUTPUT_STANDARD_PFM, "PFM", false, write_pfm, pfm_numbers},
+};
+
+/* What the report says of one. */
+static json_t *describe(const writing *w, const char *path, size_t format)
+{
+    json_t *said = json_pack("{ss ss s[ii]}", "file", path, "format", formats[format].name,
+                             "size", (int)w->image->width, (int)w->image->height);
+    json_t *numbers = formats[format].numbers(w);
+    json_object_update(said, numbers);
+    json_decref(numbers);
+    return said;
+}
+
+static tl_status write_one(writing *w, int output, json_t *list, tl_error *err)
+{
+    tl_status status = TL_OK;
+    const char *path = w->options->paths[output];
+    size_t format = 0;
+    while (!(formats[format].kinds & w->options->kinds[output]))
+        format++;
+    if (formats[format].has_codes)
+        TRY(make_codes(w, err));
+    const double start = tl_seconds();
+    TRY(formats[format].write(w, path, err));
+    tl_timings_end(&w->j->timings, "write", start);
+    json_array_append_new(list, describe(w, path, format));
+done:
+    return status;
+}
+
+tl_status job_write_pictures(job *j, const picture_options *options, tl_error *err)
+{
+    tl_status status = TL_OK;
+    json_t *list = json_array();
+    writing w = {.j = j,
+                 .options = options,
+                 .image = j->image,
+                 .look = picture_look(options, j->has_look ? &j->look : NULL)};
+    console_stage("writing");
+    for (int i = 0; i < options->count; i++)
+        TRY(write_one(&w, i, list, err));
+    job_report(j, "outputs", json_incref(list));
+done:
+    json_decref(list);
+    free(w.codes);
+    return status;
+}

@@ -1,0 +1,41 @@
+/* Options of the pictures that a job writes. */
+#ifndef TL_PICTURE_OPTIONS_H
+#define TL_PICTURE_OPTIONS_H
+
+#include "tilelight/image.h"
+
+#include <argp.h>
+#include <stdbool.h>
+
+enum { MOST_OUTPUTS = 16 };
+
+typedef struct picture_options {
+    const char *paths[MOST_OUTPUTS]; /* [count]; "-" is standard output */
+    int kinds[MOST_OUTPUTS];
+    int count;
+    bool automatic; /* exposure */
+    float exposure; /* stops */
+    tl_look look;
+    bool tone_given, curve_given; /* else what the capture asks for */
+    uint32_t depth;               /* bits of a PNG's channels: 16; else 8 */
+    tl_exr_form exr;
+} picture_options;
+
+/* Its input is a picture_options, all zero to begin with. At least one output is required. */
+extern const struct argp
+    picture_argp; /* -o, --exposure, --tone, --curve, --png, --exr, --exr-compression */
+
+/* How PNGs are made: as the options say, else as the capture asks (NULL: asks for nothing), else ours. */
+tl_look picture_look(const picture_options *options, const tl_look *asked);
+const char *picture_tone_word(tl_tone tone);
+const char *picture_curve_word(tl_curve curve);
+/* Of the compression that it has, usual or asked for. */
+const char *picture_exr_word(tl_exr_form form);
+
+/* output_check for each. */
+tl_status picture_check(const picture_options *options, const char *input, tl_error *err);
+
+/* Whether a picture goes to standard output. */
+bool picture_on_standard_output(const picture_options *options);
+
+#endif
