@@ -31,7 +31,7 @@ static void check_picture(const tl_check *check, const tl_image *got, const char
 }
 
 /* By the twin, which has no kernels to build, and by kernels of this width; 0: not by kernels. That they
- * agree is what tests/test_same_bits.c asks. */
+ * agree is what tests/test_same_bits.c asks, and that culling shows in nothing, tests/test_culling_exact.c. */
 static void check_frame(tl_device *device,
                         const char *name,
                         const tl_gbuffer *g,
@@ -46,6 +46,7 @@ static void check_frame(tl_device *device,
     char what[96];
     ASSERT_OK(tl_check_create(g, lights, light_cutoff, TL_COSINE_STABLE, &check, &err), err);
     options.light_cutoff = light_cutoff;
+    options.cull = TL_CULL_NONE;
     options.precision = TL_PRECISION_TWIN;
     light_frame(NULL, &options, g, lights, got);
     snprintf(what, sizeof what, "%s, twin", name);

@@ -20,7 +20,8 @@ typedef struct bits_case {
     int spots;
     void (*make_sky)(
         tl_light_set *set); /* and with it lights of every kind of shape; or NULL */
-    uint32_t tried;         /* bit i: widths[i] */
+    tl_cull cull; /* none where others of the same width cull by the same text: a build less */
+    uint32_t tried; /* bit i: widths[i] */
 } bits_case;
 
 /* A row for every model, and pixels of all. */
@@ -72,6 +73,7 @@ static void widths_agree(tl_device *device, const bits_case *of)
             continue;
         options.precision = of->precision;
         options.vector_width = widths[w];
+        options.cull = of->cull;
         snprintf(what, sizeof what, "precision %d, width %u, projection %d", of->precision,
                  widths[w], of->projection);
         light_frame(device, &options, g, &lights, got);
@@ -117,14 +119,17 @@ static void every_width_agrees_by_every_model(void **state)
     widths_agree(*state, &(bits_case){.precision = TL_PRECISION_FLOAT,
                                       .present = TL_GROUP_BASE | TL_GROUP_PHONG |
                                                  TL_GROUP_BRDF | TL_GROUP_TANGENT,
+                                      .cull = TL_CULL_NONE,
                                       .tried = 3});
     widths_agree(*state, &(bits_case){.precision = TL_PRECISION_FLOAT,
                                       .present = TL_GROUP_BASE | TL_GROUP_PHONG,
                                       .model = TL_MODEL_BLINN_PHONG_NORMALIZED,
+                                      .cull = TL_CULL_NONE,
                                       .tried = 4});
     widths_agree(*state, &(bits_case){.precision = TL_PRECISION_FLOAT,
                                       .present = TL_GROUP_BASE | TL_GROUP_METAL_ROUGH,
                                       .model = TL_MODEL_METAL_ROUGH,
+                                      .cull = TL_CULL_NONE,
                                       .tried = 8});
 }
 
@@ -170,6 +175,7 @@ static tl_u32 prepares_one_color(const tl_gbuffer *g, const tl_light_set *lights
     return found;
 }
 
+/* Every light on every pixel, so that nothing is built to cull. */
 static void light_with(tl_device *device,
                        tl_precision precision,
                        uint32_t width,
@@ -182,6 +188,7 @@ static void light_with(tl_device *device,
     options.precision = precision;
     options.vector_width = width;
     options.path = path;
+    options.cull = TL_CULL_NONE;
     light_frame(device, &options, g, lights, image);
 }
 
@@ -192,6 +199,7 @@ static void every_width_agrees_on_shapes(void **state)
                     .present = TL_GROUP_BASE | TL_GROUP_PHONG | TL_GROUP_OCCLUSION,
                     .spots = 1,
                     .make_sky = make_gradient_sky,
+                    .cull = TL_CULL_NONE,
                     .tried = 1};
     widths_agree(*state, &of);
     of.make_sky = make_image_sky;
