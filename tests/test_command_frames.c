@@ -179,7 +179,7 @@ static void outputs_are_what_the_report_says(void **state)
 {
     static const char *const wanted[] = {
         "{\"file\": \"a.png\", \"format\": \"PNG\", \"size\": [64, 48], \"bits\": 16, "
-        "\"tone\": \"reinhard\", \"curve\": \"srgb\"}",
+        "\"tone\": \"agx\", \"curve\": \"srgb\", \"dither\": \"blue-noise\"}",
         "{\"file\": \"a.exr\", \"format\": \"OpenEXR\", \"size\": [64, 48], \"numbers\": "
         "\"float\", \"compression\": \"piz\"}",
         "{\"file\": \"a.pfm\", \"format\": \"PFM\", \"size\": [64, 48], \"numbers\": "
@@ -188,7 +188,7 @@ static void outputs_are_what_the_report_says(void **state)
     (void)state;
     const program_run *run = expect_run(
         "$T render $D/nine-lights.gltf --size 64x48 -o a.png -o a.exr -o a.pfm --png "
-        "16 --tone reinhard --exr-compression piz --json",
+        "16 --tone agx --dither blue-noise --exr-compression piz --json",
         0, "{", "");
     json_t *report = json_loads(run->out, JSON_REJECT_DUPLICATES, NULL);
     json_t *outputs = json_object_get(report, "outputs");

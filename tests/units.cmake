@@ -12,6 +12,7 @@ add_test(NAME faults_apply
 set_tests_properties(faults_apply PROPERTIES LABELS unit)
 
 tl_test(test_tone unit tl_picture)
+tl_test(test_show unit tl_picture)
 tl_test(test_compare unit tl_picture)
 tl_test(test_flip unit tl_picture)
 tl_test(test_resolve unit tl_picture)

@@ -109,9 +109,10 @@ static tl_status write_pfm(writing *w, const char *path, tl_error *err)
 
 static json_t *png_numbers(const writing *w)
 {
-    return json_pack("{si ss ss}", "bits", w->options->depth == 16 ? 16 : 8, "tone",
+    return json_pack("{si ss ss ss}", "bits", w->options->depth == 16 ? 16 : 8, "tone",
                      picture_tone_word(w->look.tone), "curve",
-                     picture_curve_word(w->look.curve));
+                     picture_curve_word(w->look.curve), "dither",
+                     picture_dither_word(w->look.dither));
 }
 
 static json_t *exr_numbers(const writing *w)

@@ -26,18 +26,23 @@ bool picture_on_standard_output(const picture_options *options)
 enum {
     OPTION_EXPOSURE = 256,
     OPTION_TONE,
+    OPTION_WHITE,
     OPTION_CURVE,
+    OPTION_DITHER,
     OPTION_PNG,
     OPTION_EXR,
     OPTION_EXR_COMPRESSION
 };
 
-#define TONE_WORD(name, word, source) [name] = word,
-#define TONE_HELP(name, word, source) " " word ": " source "."
+#define TONE_WORD(name, word, mixes, function, source) [name] = word,
+#define TONE_HELP(name, word, mixes, function, source) " " word ": " source "."
 static const char *const tone_words[] = {TL_TONE_CURVES(TONE_WORD)};
 #define CURVE_WORD(name, word, rounding, source) [name] = word,
 #define CURVE_HELP(name, word, rounding, source) " " word ": " source "."
 static const char *const curve_words[] = {TL_CURVES(CURVE_WORD)};
+#define DITHER_WORD(name, word, source) [name] = word,
+#define DITHER_HELP(name, word, source) " " word ": " source "."
+static const char *const dither_words[] = {TL_DITHERS(DITHER_WORD)};
 #define EXR_WORD(name, word, is_written, what) [name] = word,
 #define EXR_WRITTEN(name, word, is_written, what) [name] = is_written,
 #define EXR_HELP(name, word, is_written, what) EXR_HELP_##is_written(word ": " what)
@@ -49,6 +54,7 @@ static const char *const number_words[] = {"float", "half"};
 static const uint32_t png_depths[] = {8, 16};
 static const value_words tones = {"curve", "curves", tone_words, TL_TONE_COUNT};
 static const value_words curves = {"curve", "curves", curve_words, TL_CURVE_COUNT};
+static const value_words dithers = {"dither", "dithers", dither_words, TL_DITHER_COUNT};
 static const value_words numbers = {"precision", "precisions", number_words, 2};
 static const value_words compressions = {"compression", "compressions", exr_words,
                                          TL_EXR_COMPRESSION_COUNT};
@@ -93,6 +99,13 @@ static error_t parse(int key, char *text, struct argp_state *state)
         options->look.tone = (tl_tone)value_word(state, "--tone", text, &tones);
         options->tone_given = true;
         return 0;
+    case OPTION_WHITE:
+        options->look.white = (float)value_number(
+            state, "--white", text, (double)TL_LEAST_WHITE, (double)TL_MOST_WHITE);
+        return 0;
+    case OPTION_DITHER:
+        options->look.dither = (tl_dither)value_word(state, "--dither", text, &dithers);
+        return 0;
     case OPTION_CURVE:
         options->look.curve = (tl_curve)value_word(state, "--curve", text, &curves);
         options->curve_given = true;
@@ -109,6 +122,9 @@ static error_t parse(int key, char *text, struct argp_state *state)
     case ARGP_KEY_SUCCESS: /* after the arguments, which are asked for first */
         if (options->count == 0)
             argp_error(state, "-o is missing: where the picture goes");
+        if (options->look.white > 0.0f && options->look.tone != TL_TONE_REINHARD_EXTENDED)
+            argp_error(state,
+                       "--white is for --tone reinhard-extended, the curve that has one");
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
@@ -125,6 +141,12 @@ static const struct argp_option options_table[] = {
     {"tone", OPTION_TONE, "CURVE", 0,
      "From radiance to the range of a PNG (default aces, or what a capture of another program "
      "asks for)." TL_TONE_CURVES(TONE_HELP),
+     0},
+    {"white", OPTION_WHITE, "RADIANCE", 0,
+     "What reinhard-extended shows as white, once exposed: 0.01 to 1e6 (default 4)", 0},
+    {"dither", OPTION_DITHER, "NAME", 0,
+     "What hides the steps between codes of PNGs; the same for a pixel's place in every frame "
+     "(default none)." TL_DITHERS(DITHER_HELP),
      0},
     {"curve", OPTION_CURVE, "CURVE", 0,
      "From that range to the codes of a PNG (default srgb, or what a capture of another "
@@ -150,6 +172,11 @@ tl_look picture_look(const picture_options *options, const tl_look *asked)
 const char *picture_tone_word(tl_tone tone)
 {
     return tone_words[tone];
+}
+
+const char *picture_dither_word(tl_dither dither)
+{
+    return dither_words[dither];
 }
 
 const char *picture_curve_word(tl_curve curve)

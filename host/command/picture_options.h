@@ -23,12 +23,13 @@ typedef struct picture_options {
 
 /* Its input is a picture_options, all zero to begin with. At least one output is required. */
 extern const struct argp
-    picture_argp; /* -o, --exposure, --tone, --curve, --png, --exr, --exr-compression */
+    picture_argp; /* -o, --exposure, --tone, --white, --dither, --curve, --png, --exr, --exr-compression */
 
 /* How PNGs are made: as the options say, else as the capture asks (NULL: asks for nothing), else ours. */
 tl_look picture_look(const picture_options *options, const tl_look *asked);
 const char *picture_tone_word(tl_tone tone);
 const char *picture_curve_word(tl_curve curve);
+const char *picture_dither_word(tl_dither dither);
 /* Of the compression that it has, usual or asked for. */
 const char *picture_exr_word(tl_exr_form form);
 

@@ -85,6 +85,15 @@ void promise_check_together(const promise_choice *promise,
                    "%s is kept against ambient occlusion of %d samples: leave "
                    "--occlusion-samples out",
                    promise->option, TL_DEFAULT_OCCLUSION_SAMPLES);
+    if (promise->goal.kind == TL_GOAL_CODES && !tl_look_is_of_channels(pictures->look))
+        argp_error(state,
+                   "--max-error 8bit is kept by tones that take each channel by itself: leave "
+                   "--tone %s out",
+                   picture_tone_word(pictures->look.tone));
+    if (pictures->look.dither != TL_DITHER_NONE &&
+        (promise->goal.kind == TL_GOAL_CODES || promise->goal.kind == TL_GOAL_FLIP))
+        argp_error(state, "%s is kept by pictures without grain: leave --dither out",
+                   promise->option);
     if (pictures->exr.half && promise->goal.kind != TL_GOAL_TIME)
         argp_error(state, "%s is kept by pictures in float: leave --exr half out",
                    promise->option);

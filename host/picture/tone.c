@@ -1,16 +1,18 @@
-/* From radiance to 8 bits: exposure, tone curve, curve of the codes, rounding.
+/* From radiance to 8 bits: exposure, tone curve, curve of the codes, rounding; the formulas are those of
+ * kernels/tone.h, in double.
  *
- * All four are monotone, so the whole way is 255 thresholds: the least radiance that comes out as
+ * Where a tone takes each channel by itself all four are monotone, so the whole way is 255 thresholds: the least radiance that comes out as
  * 1, as 2, ... as 255. They are found once per picture, by bisecting over floats with the formulas
  * in double; a pixel then only counts the thresholds it reaches. That is exact, in the sense that
  * every float gets the 8-bit value that the formulas in double are rounded to, and no curve is
- * evaluated per pixel. */
+ * evaluated per pixel. Other looks are computed pixel by pixel, by the twin of the kernel (show_rows.c). */
+#include "dither.h"
 #include "parallel.h"
+#include "show.h"
 #include "srgb.h"
 #include "tilelight/camera.h"
 #include "tilelight/image.h"
 
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -25,33 +27,23 @@ enum {
 /* 2^300 times the largest float and its square are still far inside double. */
 static const double most_exposure = 300.0;
 
-/* K. Narkowicz, "ACES Filmic Tone Mapping Curve", 2016: x (2.51 x + 0.03) / (x (2.43 x + 0.59) +
- * 0.14). It passes 1 at x = 7.24 and is cut there; cutting x first keeps x^2 finite. */
-static double tone_aces(double x)
-{
-    const double cut = fmin(x, 8.0);
-    const double y = cut * (2.51 * cut + 0.03) / (cut * (2.43 * cut + 0.59) + 0.14);
-    return fmin(y, 1.0);
-}
-
-/* E. Reinhard et al., "Photographic Tone Reproduction for Digital Images", SIGGRAPH 2002,
- * equation 3. */
-static double tone_reinhard(double x)
-{
-    return x / (1.0 + x);
-}
-
-static double tone_none(double x)
-{
-    return fmin(x, 1.0);
-}
-
-/* Rising on [0, infinity). */
-static double (*const tones[TL_TONE_COUNT])(double) = {
-    [TL_TONE_ACES] = tone_aces,
-    [TL_TONE_REINHARD] = tone_reinhard,
-    [TL_TONE_NONE] = tone_none,
+static const int mixes[TL_TONE_COUNT] = {
+#define TONE_MIXES(name, word, mixes, function, source) [name] = mixes,
+    TL_TONE_CURVES(TONE_MIXES)
+#undef TONE_MIXES
 };
+
+int tl_look_is_of_channels(tl_look look)
+{
+    return !mixes[look.tone];
+}
+
+/* 1/white^2. */
+static double per_white2(tl_look look)
+{
+    const double white = (double)(look.white > 0.0f ? look.white : TL_DEFAULT_WHITE);
+    return 1.0 / (white * white);
+}
 
 /* A display whose light is the 2.2th power of the signal. */
 static double linear_from_gamma_22(double encoded)
@@ -107,12 +99,14 @@ typedef struct encoder {
  * Non-negative floats are ordered as their bits are. */
 static float find_threshold(unsigned code, double scale, tl_look look, float least)
 {
+    const double white = per_white2(look);
     const double wanted =
         linear_from[look.curve](((double)code - roundings[look.curve]) / 255.0);
     uint32_t low = bits_of_float(least), high = bits_of_float(INFINITY);
     while (low < high) {
         const uint32_t middle = low + (high - low) / 2;
-        if (tones[look.tone]((double)float_of_bits(middle) * scale) >= wanted)
+        const double x = exposed((double)float_of_bits(middle), scale);
+        if (toned((vec3){x, x, x}, look.tone, white).x >= wanted)
             high = middle;
         else
             low = middle + 1;
@@ -173,7 +167,63 @@ static void encode_rows(void *context, size_t begin, size_t end)
     }
 }
 
-void tl_image_to_rgb8(const tl_image *image, float exposure, tl_look look, uint8_t *rgb)
+extern tl_show_rows_twin tl_show_portable;
+#ifdef TL_HAS_FMA_TWINS
+extern tl_show_rows_twin tl_show_fma;
+#endif
+
+static tl_show_rows_twin *show_twin(void)
+{
+#ifdef TL_HAS_FMA_TWINS
+    if (__builtin_cpu_supports("fma"))
+        return tl_show_fma;
+#endif
+    return tl_show_portable;
+}
+
+/* Whether thresholds say what a code is. */
+static int is_exact(tl_look look)
+{
+    return look.dither == TL_DITHER_NONE && tl_look_is_of_channels(look);
+}
+
+int tl_show_fits(float exposure)
+{
+    return fabsf(exposure) <= 100.0f;
+}
+
+void tl_show_prepare(tl_show *show, float exposure, tl_look look)
+{
+    encoder e;
+    const double stops = fmax(-126.0, fmin(126.0, (double)exposure));
+    show->look = (tl_view_look){.scale = (float)exp2(stops),
+                                .per_white2 = (float)per_white2(look),
+                                .tone = look.tone,
+                                .curve = look.curve,
+                                .is_exact = (tl_u32)is_exact(look)};
+    tl_dither_fill(look.dither, roundings[look.curve], show->numbers + TL_SHOW_TILE);
+    for (unsigned i = 0; i <= CODES; i++)
+        show->numbers[TL_SHOW_THRESHOLDS + i] = NAN;
+    if (!is_exact(look))
+        return;
+    encoder_prepare(&e, exposure, look);
+    memcpy(show->numbers + TL_SHOW_THRESHOLDS, e.thresholds, sizeof e.thresholds);
+}
+
+static void show_image(const tl_image *image, float exposure, tl_look look, uint8_t *rgb)
+{
+    tl_show show;
+    tl_show_prepare(&show, exposure, look);
+    tl_show_job job = {
+        &show,
+        {tl_image_plane(image, 0), tl_image_plane(image, 1), tl_image_plane(image, 2)},
+        image->pitch,
+        image->width,
+        rgb};
+    tl_parallel(image->height, ROWS_PER_SUM, show_twin(), &job);
+}
+
+static void encode_image(const tl_image *image, float exposure, tl_look look, uint8_t *rgb)
 {
     encoder e;
     encode_job job = {image, &e, rgb};
@@ -181,11 +231,12 @@ void tl_image_to_rgb8(const tl_image *image, float exposure, tl_look look, uint8
     tl_parallel(image->height, ROWS_PER_SUM, encode_rows, &job);
 }
 
-/* What a value is shown as, 0 to 1. */
-static double shown(float radiance, double scale, tl_look look)
+void tl_image_to_rgb8(const tl_image *image, float exposure, tl_look look, uint8_t *rgb)
 {
-    const double exposed = radiance > 0.0f ? fmin((double)radiance * scale, DBL_MAX) : 0.0;
-    return from_linear[look.curve](tones[look.tone](exposed));
+    if (is_exact(look))
+        encode_image(image, exposure, look, rgb);
+    else
+        show_image(image, exposure, look, rgb);
 }
 
 typedef struct screen_job {
@@ -194,15 +245,30 @@ typedef struct screen_job {
     tl_look look;
 } screen_job;
 
+/* What a pixel is shown as, 0 to 1. */
+static vec3 shown_at(const screen_job *job, size_t x, size_t y)
+{
+    const size_t at = y * job->image->pitch + x;
+    const vec3 c = {exposed((double)tl_image_plane(job->image, 0)[at], job->scale),
+                    exposed((double)tl_image_plane(job->image, 1)[at], job->scale),
+                    exposed((double)tl_image_plane(job->image, 2)[at], job->scale)};
+    const vec3 linear = toned(c, job->look.tone, per_white2(job->look));
+    double (*const encoded)(double) = from_linear[job->look.curve];
+    return (vec3){encoded(linear.x), encoded(linear.y), encoded(linear.z)};
+}
+
 static void show_rows(void *context, size_t begin, size_t end)
 {
     const screen_job *job = context;
-    const tl_image *image = job->image;
-    for (size_t i = 3 * begin; i < 3 * end; i++) {
-        float *row = image->planes + (i / 3 + i % 3 * image->rows) * image->pitch;
-        for (size_t x = 0; x < image->width; x++)
-            row[x] = (float)shown(row[x], job->scale, job->look);
-    }
+    tl_image *image = job->image;
+    for (size_t y = begin; y < end; y++)
+        for (size_t x = 0; x < image->width; x++) {
+            const vec3 shown = shown_at(job, x, y);
+            const size_t at = y * image->pitch + x;
+            tl_image_plane(image, 0)[at] = (float)shown.x;
+            tl_image_plane(image, 1)[at] = (float)shown.y;
+            tl_image_plane(image, 2)[at] = (float)shown.z;
+        }
 }
 
 void tl_image_to_screen(tl_image *image, float exposure, tl_look look)
@@ -212,28 +278,37 @@ void tl_image_to_screen(tl_image *image, float exposure, tl_look look)
 }
 
 typedef struct deep_job {
-    const tl_image *image;
-    double scale;
-    tl_look look;
+    screen_job screen;
+    float tile[TL_DITHER_SIDE * TL_DITHER_SIDE];
     uint16_t *rgb;
 } deep_job;
+
+static uint16_t deep_code(double shown, double added)
+{
+    return (uint16_t)(65535.0 * shown + added);
+}
 
 static void encode_deep_rows(void *context, size_t begin, size_t end)
 {
     const deep_job *job = context;
-    const tl_image *image = job->image;
-    const double rounding = roundings[job->look.curve];
-    for (size_t i = 3 * begin; i < 3 * end; i++) {
-        const float *row = tl_image_plane(image, (unsigned)(i % 3)) + i / 3 * image->pitch;
-        uint16_t *out = job->rgb + i / 3 * image->width * 3 + i % 3;
-        for (size_t x = 0; x < image->width; x++)
-            out[3 * x] = (uint16_t)(65535.0 * shown(row[x], job->scale, job->look) + rounding);
-    }
+    const size_t width = job->screen.image->width;
+    for (size_t y = begin; y < end; y++)
+        for (size_t x = 0; x < width; x++) {
+            const vec3 shown = shown_at(&job->screen, x, y);
+            const double added =
+                (double)job->tile[y % TL_DITHER_SIDE * TL_DITHER_SIDE + x % TL_DITHER_SIDE];
+            uint16_t *out = job->rgb + 3 * (y * width + x);
+            out[0] = deep_code(shown.x, added);
+            out[1] = deep_code(shown.y, added);
+            out[2] = deep_code(shown.z, added);
+        }
 }
 
 void tl_image_to_rgb16(const tl_image *image, float exposure, tl_look look, uint16_t *rgb)
 {
-    deep_job job = {image, scale_of(exposure), look, rgb};
+    tl_image same = *image; /* read alone */
+    deep_job job = {.screen = {&same, scale_of(exposure), look}, .rgb = rgb};
+    tl_dither_fill(look.dither, roundings[look.curve], job.tile);
     tl_parallel(image->height, ROWS_PER_SUM, encode_deep_rows, &job);
 }
 

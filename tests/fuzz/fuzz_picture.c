@@ -17,7 +17,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         uint8_t *const rgb = malloc((size_t)3 * image->width * image->height);
         fuzz_must(rgb != NULL, "out of memory for %u x %u pixels", image->width, image->height);
         const float exposure = tl_image_auto_exposure(image);
-        tl_image_to_rgb8(image, exposure, (tl_look){.tone = TL_TONE_ACES}, rgb);
+        for (int tone = 0; tone < TL_TONE_COUNT; tone++)
+            tl_image_to_rgb8(image, exposure,
+                             (tl_look){.tone = (tl_tone)tone, .dither = tone % TL_DITHER_COUNT},
+                             rgb);
         free(rgb);
     }
     tl_image_destroy(image);

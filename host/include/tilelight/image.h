@@ -3,6 +3,7 @@
 #define TL_IMAGE_H
 
 #include "error.h"
+#include "tones.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -39,54 +40,40 @@ uint64_t tl_image_count_above(const tl_image *image, float most);
  * TL_ERR_MEMORY. */
 tl_status tl_image_resolve(const tl_image *from, uint32_t side, tl_image **out, tl_error *err);
 
-/* Tone curves: from exposed linear radiance to display-linear [0, 1], per channel.
- * X(name, word on the command line, source) */
-#define TL_TONE_CURVES(X)                                                            \
-    X(TL_TONE_ACES, "aces", "Narkowicz 2015, fit of the ACES reference transform")   \
-    X(TL_TONE_REINHARD, "reinhard", "Reinhard et al. 2002, equation 3: x / (1 + x)") \
-    X(TL_TONE_NONE, "none", "cut at 1")
+/* Rows of kernels/tones.h. */
+typedef enum tl_tone_name tl_tone;
+typedef enum tl_curve_name tl_curve;
+typedef enum tl_dither_name tl_dither;
 
-typedef enum tl_tone {
-#define TL_TONE_NAME(name, word, source) name,
-    TL_TONE_CURVES(TL_TONE_NAME)
-#undef TL_TONE_NAME
-        TL_TONE_COUNT
-} tl_tone;
-
-/* Curves from display-linear [0, 1] to the 256 codes of a PNG, and how what lies between codes is
- * rounded: 0.5 to the nearest, 0 down.
- * X(name, word on the command line, rounding, source) */
-#define TL_CURVES(X)                                                            \
-    X(TL_CURVE_SRGB, "srgb", 0.5, "IEC 61966-2-1, rounded to the nearest code") \
-    X(TL_CURVE_GAMMA_22, "gamma-2.2", 0.0,                                      \
-      "x^(1/2.2), cut down to a code: that of the "                             \
-      "ISPC project's deferred shading example")
-
-typedef enum tl_curve {
-#define TL_CURVE_NAME(name, word, rounding, source) name,
-    TL_CURVES(TL_CURVE_NAME)
-#undef TL_CURVE_NAME
-        TL_CURVE_COUNT
-} tl_curve;
+/* Of tone curves that have a white, in exposed radiance. */
+#define TL_DEFAULT_WHITE 4.0f
+#define TL_LEAST_WHITE 0.01f
+#define TL_MOST_WHITE 1e6f
 
 /* How radiance becomes a picture of 8 bits. All zero is ours. */
 typedef struct tl_look {
     tl_tone tone;
     tl_curve curve;
+    tl_dither dither;
+    float white; /* TL_LEAST_WHITE to TL_MOST_WHITE; 0: TL_DEFAULT_WHITE */
 } tl_look;
+
+/* Whether its codes rise with each channel, whatever the others are: its tone takes each channel by itself. */
+int tl_look_is_of_channels(tl_look look);
 
 /* The exposure in stops that brings the picture's log-average luminance to 0.18. Pixels that are
  * black, negative or not finite are left out; 0 where none remains. The same on any number of
  * threads. */
 float tl_image_auto_exposure(const tl_image *image);
 
-/* 8-bit RGB, no alpha: radiance times 2^exposure, tone curve, curve of the codes, rounded as that
- * says: exactly what these formulas give in double, for every float. NaN and negative radiance are
- * black, infinity is white. exposure is finite. rgb is [height][width][3]. On all threads. Cannot
- * fail. */
+/* 8-bit RGB, no alpha: radiance times 2^exposure, tone curve, curve of the codes, rounded as that or as the
+ * dither says. A tone that takes each channel by itself without dither is exact: what these formulas give in
+ * double, for every float. Others are off by less than 2^-10 of a code before they are rounded, but for AgX,
+ * which is off by less than 2^-7 (kernels/tone.h). NaN and negative radiance are black, infinity is white.
+ * exposure is finite. rgb is [height][width][3]. On all threads. Cannot fail. */
 void tl_image_to_rgb8(const tl_image *image, float exposure, tl_look look, uint8_t *rgb);
 
-/* The same with 16 bits: 65535 times what is shown, rounded as the curve says. */
+/* The same with 16 bits: 65535 times what is shown, in double. */
 void tl_image_to_rgb16(const tl_image *image, float exposure, tl_look look, uint16_t *rgb);
 
 /* The same before it is rounded: every value becomes what the curves make of it, 0 to 1, of which the
