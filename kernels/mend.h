@@ -24,13 +24,6 @@ TL_INLINE mask is_color(vec3 c)
     return is_finite_number(c.x) & is_finite_number(c.y) & is_finite_number(c.z);
 }
 
-/* Lanes whose pixel, `column` of the first, is in the picture. */
-TL_INLINE mask is_in_row(int column, tl_u32 width)
-{
-    const real at = (scalar)column + LANE_INDEX;
-    return (at >= R(0.0)) & (at < (real)(scalar)width);
-}
-
 /* What stands for the pixel (column, row), which is no colour. */
 TL_INLINE vec3 mean_around(const tl_view_picture *of, tl_numbers planes, int row, int column)
 {

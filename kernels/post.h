@@ -51,6 +51,13 @@ TL_INLINE real clamped_column(tl_numbers row, int column, int width)
     return GATHER(row, TO_INTEGER(kept));
 }
 
+/* Lanes whose pixel, `column` of the first, is in the picture. */
+TL_INLINE mask is_in_row(int column, tl_u32 width)
+{
+    const real at = (scalar)column + LANE_INDEX;
+    return (at >= R(0.0)) & (at < (real)(scalar)width);
+}
+
 TL_INLINE tl_u32 clamped_row(int row, tl_u32 height)
 {
     return row < 0 ? 0u : row >= (int)height ? height - 1 : (tl_u32)row;

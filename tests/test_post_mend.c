@@ -99,7 +99,7 @@ static void colors_become_what_is_defined(void **state)
 static void every_way_has_the_same_bits(void **state)
 {
     static const post_way twin = {"twin", TL_PRECISION_TWIN, TL_PATH_AUTO, 0, 0, 0};
-    static const uint64_t rows_of_band = 10 + 2;
+    static const uint64_t rows_of_band = 10 + 2 + 16;
     const tl_post_options options = {.mend = 1};
     tl_gbuffer *gbuffer = gbuffer_of(WIDTH, HEIGHT);
     tl_image *from = spoiled_picture();

@@ -2,7 +2,6 @@
 
 #include "approximation_options.h"
 #include "console.h"
-#include "job_post.h"
 #include "job_promise.h"
 #include "light_words.h"
 #include "try.h"
@@ -130,7 +129,6 @@ tl_status job_light(job *j,
     tell_approximations(j, &options.approximations);
     if (told)
         TRY(explain_take(j, lighting, &options, &counts, told, err));
-    TRY(job_post(j, choice, device, err));
     report_counts(j, &counts);
     if (counts.first_kernel_s > 0.0)
         j->first_kernel_ms = 1e3 * (counts.first_kernel_s - j->start_s);

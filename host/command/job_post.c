@@ -15,13 +15,18 @@ static void report(job *j, const tl_post_counts *counts)
                          (json_int_t)counts->mended_count));
 }
 
-tl_status job_post(job *j, const lighting_choice *choice, tl_device *device, tl_error *err)
+tl_status job_post(job *j,
+                   const post_choice *choice,
+                   const tl_lighting_options *lighting,
+                   tl_device *device,
+                   tl_error *err)
 {
-    const tl_post_options options = {.mend = choice->options.kernel.text != NULL};
+    tl_post_options options = choice->options;
     tl_post_counts counts;
     tl_post *post = NULL;
     tl_status status = TL_OK;
-    TRY(tl_post_create(device, &choice->options, &options, &post, err));
+    options.mend = lighting->kernel.text != NULL;
+    TRY(tl_post_create(device, lighting, &options, &post, err));
     TRY(tl_post_run(post, j->gbuffer, &j->image, &j->timings, &console_notices, &counts, err));
     report(j, &counts);
 done:

@@ -4,9 +4,14 @@
 
 #include "job.h"
 #include "lighting_options.h"
+#include "post_options.h"
 
-/* Runs the stages that the choice and the frame call for, and says what they came to. The job's image becomes
- * what they make of it. */
-tl_status job_post(job *j, const lighting_choice *choice, tl_device *device, tl_error *err);
+/* Runs the stages that the choice and the frame call for, by the device and precision that light, and says
+ * what they came to. The job's image becomes what they make of it. */
+tl_status job_post(job *j,
+                   const post_choice *choice,
+                   const tl_lighting_options *lighting,
+                   tl_device *device,
+                   tl_error *err);
 
 #endif

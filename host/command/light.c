@@ -4,6 +4,7 @@
 #include "import_options.h"
 #include "job_light.h"
 #include "job_pictures.h"
+#include "job_post.h"
 #include "layers_options.h"
 #include "promise_options.h"
 #include "try.h"
@@ -13,6 +14,7 @@ typedef struct light_options {
     const char *gbuffer;
     lighting_choice lighting;
     promise_choice promise;
+    post_choice post;
     tl_import_options import;
     picture_options pictures;
     explain_options explain;
@@ -39,6 +41,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         state->child_inputs[4] = &options->explain;
         state->child_inputs[5] = &options->promise;
         state->child_inputs[6] = &options->lighting.options;
+        state->child_inputs[7] = &options->post;
         return 0;
     }
     if (key == ARGP_KEY_SUCCESS)
@@ -54,6 +57,7 @@ static const struct argp_child children[] = {
     {&explain_argp, 0, "What the frame called for:", 5},
     {&promise_argp, 0, "What the picture keeps (docs/promise.md):", 6},
     {&layers_argp, 0, NULL, 2},
+    {&post_argp, 0, "After lighting (docs/post-processing.md):", 3},
     {0},
 };
 
@@ -79,6 +83,7 @@ static tl_status run(job *j, const light_options *options, tl_device **device, t
                   promise_goal(&options->promise, &options->pictures,
                                j->has_look ? &j->look : NULL, &goal),
                   *device, explain_wanted(&options->explain) ? &told : NULL, err));
+    TRY(job_post(j, &options->post, &options->lighting.options, *device, err));
     TRY(job_write_pictures(j, &options->pictures, err));
     TRY(explain_tell(j, &options->explain, &told, err));
     TRY(job_finish(j, &options->report, err));

@@ -4,6 +4,7 @@
 #include "job_capture.h"
 #include "job_light.h"
 #include "job_pictures.h"
+#include "job_post.h"
 #include "promise_options.h"
 #include "tilelight/scatter.h"
 #include "try.h"
@@ -15,6 +16,7 @@ typedef struct render_options {
     tl_capture_options capture;
     lighting_choice lighting;
     promise_choice promise;
+    post_choice post;
     picture_options pictures;
     explain_options explain;
     report_options report;
@@ -44,6 +46,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         state->child_inputs[3] = &options->report;
         state->child_inputs[4] = &options->explain;
         state->child_inputs[5] = &options->promise;
+        state->child_inputs[6] = &options->post;
         return 0;
     case OPTION_SCATTER:
         options->scatter_count = value_integer(state, "--scatter", text, 1, TL_MAX_SCATTERED);
@@ -68,6 +71,7 @@ static const struct argp_child children[] = {
     {&report_argp, 0, "Reports:", 5},
     {&explain_argp, 0, "What the frame called for:", 6},
     {&promise_argp, 0, "What the picture keeps (docs/promise.md):", 7},
+    {&post_argp, 0, "After lighting (docs/post-processing.md):", 4},
     {0},
 };
 
@@ -113,6 +117,7 @@ static tl_status run(job *j, const render_options *options, tl_device **device, 
                   promise_goal(&options->promise, &options->pictures,
                                j->has_look ? &j->look : NULL, &goal),
                   *device, explain_wanted(&options->explain) ? &told : NULL, err));
+    TRY(job_post(j, &options->post, &options->lighting.options, *device, err));
     TRY(job_write_pictures(j, &options->pictures, err));
     TRY(explain_tell(j, &options->explain, &told, err));
     TRY(job_finish(j, &options->report, err));

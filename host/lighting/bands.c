@@ -93,8 +93,7 @@ static void aim_at(tl_pass_context *c, const tl_gbuffer *gbuffer, band at)
     c->frame.buffer_row = has_whole_planes(c) ? c->frame.first_row : 0;
 }
 
-/* Rows of the band, plane after plane. */
-static tl_status upload_words(tl_pass_context *c, const tl_gbuffer *gbuffer, tl_error *err)
+tl_status tl_bands_upload_words(tl_pass_context *c, const tl_gbuffer *gbuffer, tl_error *err)
 {
     const size_t pixels = (size_t)gbuffer->pitch * c->frame.rows;
     const size_t first_row = c->frame.first_row - c->frame.buffer_row;
@@ -134,7 +133,7 @@ static tl_status upload(tl_pass_context *c,
         TRY(tl_buffers_share(c->buffers, c->device, TL_BUFFER_RADIANCE, image->planes,
                              3 * host_pixels * sizeof(float), err));
     } else {
-        TRY(upload_words(c, gbuffer, err));
+        TRY(tl_bands_upload_words(c, gbuffer, err));
         TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_RADIANCE,
                                3 * pixels * sizeof(float), err));
     }

@@ -25,6 +25,12 @@ typedef struct tl_band_options {
 /* Whether tiles are to have lists of their own: of what all share there may be nothing to cull. */
 int tl_bands_cull(const tl_prepared *prepared, const tl_band_options *options);
 
+/* Copies rows of the G-buffer's words, plane after plane, to TL_BUFFER_PLANES: context->frame.rows of them,
+ * from frame.first_row - frame.buffer_row on. Fails with TL_ERR_DEVICE or TL_ERR_MEMORY. */
+tl_status tl_bands_upload_words(tl_pass_context *context,
+                                const tl_gbuffer *gbuffer,
+                                tl_error *err);
+
 /* Lights the frame of context->prepared into the image; a layer, over what the image has. context->frame is
  * its own. *counts gets list_length, band_count, device_bytes and the device's times. Fails with
  * TL_ERR_ARGUMENT when one row of tiles is beyond the limit, TL_ERR_DEVICE or TL_ERR_MEMORY. */

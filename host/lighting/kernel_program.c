@@ -80,7 +80,7 @@ static const char *text_of(const tl_program *made)
     static const char *const texts[TL_PART_COUNT] = {
         [TL_PART_CULL] = tl_cull_kernels,   [TL_PART_OCCLUDE] = tl_occlude_kernels,
         [TL_PART_SHADE] = tl_shade_kernels, [TL_PART_BLEND] = tl_blend_kernel,
-        [TL_PART_MEND] = tl_mend_kernels,
+        [TL_PART_MEND] = tl_mend_kernels,   [TL_PART_EDGES] = tl_edge_kernels,
     };
     return made->user.text ? made->user.text : texts[made->part];
 }
@@ -267,7 +267,7 @@ static uint32_t present_to_cull(uint32_t layout, uint32_t present)
     return needed;
 }
 
-/* Surroundings are made of depths and normals. */
+/* Surroundings and edges are made of depths and normals. */
 static tl_kernel_options options_to_occlude(const tl_kernel_options *o)
 {
     return (tl_kernel_options){.width = o->width,
@@ -283,7 +283,7 @@ static tl_kernel_options options_of(tl_program_part part, const tl_kernel_option
 {
     if (part == TL_PART_SHADE)
         return *o;
-    if (part == TL_PART_OCCLUDE)
+    if (part == TL_PART_OCCLUDE || part == TL_PART_EDGES)
         return options_to_occlude(o);
     if (part >= TL_PART_BLEND) /* what knows nothing of a G-buffer */
         return (tl_kernel_options){

@@ -31,6 +31,7 @@ typedef enum tl_program_part {
     TL_PART_BLEND, /* of layers alone */
     /* stages after lighting (host/post/), a part each; they are not of a frame that is lit */
     TL_PART_MEND,
+    TL_PART_EDGES,
     TL_PART_COUNT,
     TL_LIGHTING_PART_COUNT = TL_PART_MEND
 } tl_program_part;
@@ -50,7 +51,9 @@ typedef enum tl_program_part {
     X(shade_pixels, TL_PART_SHADE, options->by_pixel) \
     X(blend_layer, TL_PART_BLEND, 1)                  \
     X(count_no_colors, TL_PART_MEND, 1)               \
-    X(mend_picture, TL_PART_MEND, 1)
+    X(mend_picture, TL_PART_MEND, 1)                  \
+    X(gather_edges, TL_PART_EDGES, 1)                 \
+    X(smooth_edges, TL_PART_EDGES, 1)
 
 typedef struct tl_program {
     tl_program_part part;

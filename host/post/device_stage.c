@@ -33,7 +33,9 @@ tl_status tl_post_find_program(tl_post_work *work,
     const double clock = tl_seconds();
     const tl_status status =
         tl_program_find(post->device, part, &all, NULL, &work->context.programs[part], err);
-    tl_timings_end(work->timings, "compile", clock);
+    const double ms = 1e3 * (tl_seconds() - clock);
+    tl_timings_add(work->timings, "compile", ms);
+    work->compile_ms += ms;
     return status;
 }
 
@@ -104,19 +106,27 @@ done:
     return status;
 }
 
+tl_post_rows_span tl_post_rows_around(const tl_image *image,
+                                      uint32_t first,
+                                      uint32_t end,
+                                      uint32_t halo)
+{
+    const uint32_t from = first > halo ? (first - halo) / BAND_GRANULE * BAND_GRANULE : 0;
+    const uint32_t to = (end + halo + BAND_GRANULE - 1) / BAND_GRANULE * BAND_GRANULE;
+    return (tl_post_rows_span){from, (to < image->rows ? to : image->rows) - from};
+}
+
 /* Where the rows of the view stand, and those around them that are read. */
 static void aim_at(tl_post_work *work, uint32_t first, uint32_t end, uint32_t halo)
 {
     const tl_image *image = work->from;
-    const uint32_t from = first > halo ? first - halo : 0;
-    const uint32_t to = image->height - end > halo ? end + halo : image->height;
-    const int is_whole =
-        work->context.device->shares_memory || (from == 0 && to == image->height);
+    const tl_post_rows_span around = tl_post_rows_around(image, first, end, halo);
+    const int is_whole = work->context.device->shares_memory || end - first == image->height;
     work->view = (tl_view_picture){.width = image->width,
                                    .height = image->height,
                                    .pitch = image->pitch,
-                                   .plane_rows = is_whole ? image->rows : to - from,
-                                   .plane_row = is_whole ? 0 : from,
+                                   .plane_rows = is_whole ? image->rows : around.count,
+                                   .plane_row = is_whole ? 0 : around.first,
                                    .first_row = first,
                                    .end_row = end};
 }
@@ -190,13 +200,14 @@ static tl_status rows_of_band(const tl_post_work *work,
     if (limit == 0 || row == 0 || row * image->height <= limit)
         return TL_OK;
     const uint64_t most = limit / row;
-    if (most < 2 * halo + BAND_GRANULE)
+    const uint64_t beside = 2 * halo + 2 * BAND_GRANULE;
+    if (most < beside + BAND_GRANULE)
         return tl_fail(err, TL_ERR_ARGUMENT,
                        "%llu bytes of device memory do not hold the rows that \"%s\" reads at "
                        "once: it takes about %llu; allow more (--memory)",
                        (unsigned long long)limit, tl_post_stage_rows[stage->name].word,
-                       (unsigned long long)((2 * halo + BAND_GRANULE) * row));
-    *rows = (uint32_t)((most - 2 * halo) / BAND_GRANULE * BAND_GRANULE);
+                       (unsigned long long)((beside + BAND_GRANULE) * row));
+    *rows = (uint32_t)((most - beside) / BAND_GRANULE * BAND_GRANULE);
     return TL_OK;
 }
 

@@ -8,8 +8,23 @@
 
 static const tl_stage *const stages[TL_POST_STAGE_COUNT] = {
     [TL_POST_MEND] = &tl_stage_mend,
+    [TL_POST_EDGES] = &tl_stage_edges,
     [TL_POST_RESOLVE] = &tl_stage_resolve,
 };
+
+static tl_status check_edges(const tl_edge_options *edges, tl_error *err)
+{
+    if (!(edges->angle >= 0.0f && edges->angle <= TL_MOST_EDGE_ANGLE))
+        return tl_fail(err, TL_ERR_ARGUMENT,
+                       "edges from an angle of %g rad on: it must be above 0, and pi at most",
+                       (double)edges->angle);
+    if (!(edges->step >= 0.0f && edges->step <= 1.0f))
+        return tl_fail(err, TL_ERR_ARGUMENT,
+                       "edges from a step of %g of the depth on: it must be above 0, and 1 at "
+                       "most",
+                       (double)edges->step);
+    return TL_OK;
+}
 
 tl_status tl_post_create(tl_device *device,
                          const tl_lighting_options *lighting,
@@ -19,6 +34,9 @@ tl_status tl_post_create(tl_device *device,
 {
     if (!device && !tl_precision_is_on_host(lighting->precision))
         return tl_fail(err, TL_ERR_ARGUMENT, "this precision needs a device");
+    const tl_status status = check_edges(&options->edges, err);
+    if (status != TL_OK)
+        return status;
     tl_post *made = calloc(1, sizeof *made);
     if (!made)
         return tl_fail(err, TL_ERR_MEMORY, "out of memory for what is done after lighting");
@@ -35,7 +53,20 @@ void tl_post_destroy(tl_post *post)
         return;
     tl_buffers_release(&post->buffers);
     tl_image_destroy(post->spare);
+    free(post->numbers);
     free(post);
+}
+
+tl_status tl_post_reserve_numbers(tl_post *post, size_t count, tl_error *err)
+{
+    if (count <= post->number_capacity)
+        return TL_OK;
+    free(post->numbers);
+    post->numbers = malloc(count * sizeof(float));
+    post->number_capacity = post->numbers ? count : 0;
+    return post->numbers
+               ? TL_OK
+               : tl_fail(err, TL_ERR_MEMORY, "out of memory for what is done after lighting");
 }
 
 tl_status tl_post_reserve_to(tl_post_work *work, tl_error *err)
@@ -81,12 +112,13 @@ done:
 
 static tl_status run_stage(tl_post_work *work, const tl_stage *stage, tl_error *err)
 {
-    const double clock = tl_seconds();
+    const double clock = tl_seconds(), compiled = work->compile_ms;
     const int on_host =
         !stage->on_device || tl_precision_is_on_host(work->post->lighting.precision);
     const tl_status status =
         on_host ? run_on_host(work, stage, err) : tl_post_run_on_device(work, stage, err);
-    tl_timings_end(work->timings, tl_post_stage_rows[stage->name].word, clock);
+    tl_timings_add(work->timings, tl_post_stage_rows[stage->name].word,
+                   1e3 * (tl_seconds() - clock) - (work->compile_ms - compiled));
     work->counts.stages |= 1u << stage->name;
     return status;
 }
@@ -95,9 +127,13 @@ static tl_status run_stage(tl_post_work *work, const tl_stage *stage, tl_error *
 static void let_go(tl_post_work *work)
 {
     tl_post *post = work->post;
+    const double clock = tl_seconds();
+    int kept = 0;
     for (int part = 0; part < TL_PART_COUNT; part++)
         if (work->context.programs[part])
-            tl_program_keep(post->device, work->context.programs[part]);
+            kept |= tl_program_keep(post->device, work->context.programs[part]);
+    if (kept)
+        tl_timings_end(work->timings, "keep", clock);
     work->counts.device_bytes = tl_buffers_size(&post->buffers);
     if (post->device && post->device->shares_memory)
         tl_buffers_let_go(&post->buffers);

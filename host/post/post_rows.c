@@ -35,9 +35,36 @@ static void mend_row(tl_post_rows_job *job, uint32_t row)
     }
 }
 
+static void gather_edges(tl_post_rows_job *job, uint32_t row)
+{
+    const tl_view_gather *of = job->gather;
+    const size_t plane = (size_t)of->edges.rows * of->frame.pitch;
+    for (uint32_t column = 0; column < job->view.width; column++) {
+        const size_t at = (size_t)row * of->frame.pitch + column;
+        const tl_words words = tl_words_at(job->planes, at);
+        const near_surface s = near_surface_of(&of->frame, *job->needs, job->planes->layout,
+                                               &words, (real)column, (real)row);
+        job->numbers[at] = (float)edge_place(of->edges.orthographic, s.depth);
+        job->numbers[TL_EDGE_NORMAL_X * plane + at] = (float)s.normal.x;
+        job->numbers[TL_EDGE_NORMAL_Y * plane + at] = (float)s.normal.y;
+        job->numbers[TL_EDGE_NORMAL_Z * plane + at] = (float)s.normal.z;
+    }
+}
+
+static void smooth_edges(tl_post_rows_job *job, uint32_t row)
+{
+    for (uint32_t column = 0; column < job->view.width; column++) {
+        const int y = (int)row, x = (int)column;
+        const real factor = edge_factor(job->edges, job->numbers, y, x);
+        put_color(job, smoothed_edge(job->edges, job->from, factor, y, x), row, column);
+    }
+}
+
 static void (*const steps[TL_POST_STEP_COUNT])(tl_post_rows_job *job, uint32_t row) = {
     [TL_POST_STEP_COUNT_NO_COLORS] = count_no_colors,
     [TL_POST_STEP_MEND] = mend_row,
+    [TL_POST_STEP_GATHER_EDGES] = gather_edges,
+    [TL_POST_STEP_SMOOTH_EDGES] = smooth_edges,
 };
 
 void TL_TWIN(tl_post_rows_job *job, tl_post_step step, size_t begin, size_t end)

@@ -13,6 +13,8 @@ struct tl_post {
     tl_post_options options;
     tl_buffers buffers;
     tl_image *spare; /* what a stage writes; NULL: not needed yet; owned */
+    float *numbers;  /* [number_capacity], of stages on the host, between their steps; owned */
+    size_t number_capacity;
 };
 
 /* One picture on its way through the stages. */
@@ -24,6 +26,7 @@ typedef struct tl_post_work {
     tl_view_picture view;      /* of the rows that are at work */
     int is_on_device;          /* 1: POST_FROM holds the whole picture `from` */
     int is_stale;              /* 1: and the host does not */
+    double compile_ms; /* what compiling has taken so far, which no stage's time has in it */
     tl_timings *timings;
     const tl_notices *notices;
     tl_post_counts counts;
@@ -44,7 +47,10 @@ typedef struct tl_stage {
     tl_status (*on_host)(tl_post_work *work, int *wrote, tl_error *err);
 } tl_stage;
 
-extern const tl_stage tl_stage_mend, tl_stage_resolve;
+extern const tl_stage tl_stage_mend, tl_stage_edges, tl_stage_resolve;
+
+/* post->numbers has room for so many; what was there is lost. Fails with TL_ERR_MEMORY. */
+tl_status tl_post_reserve_numbers(tl_post *post, size_t count, tl_error *err);
 
 /* work->to is of the size of `from`. Fails with TL_ERR_MEMORY. */
 tl_status tl_post_reserve_to(tl_post_work *work, tl_error *err);
@@ -54,6 +60,16 @@ void tl_post_swap(tl_post_work *work);
 
 /* Runs a stage on the device, in bands where the memory limit asks for them. */
 tl_status tl_post_run_on_device(tl_post_work *work, const tl_stage *stage, tl_error *err);
+
+/* Rows [first, end) of a picture and `halo` around them, in steps in which bands go, as far as there are any:
+ * of a picture's planes, padding included. */
+typedef struct tl_post_rows_span {
+    uint32_t first, count;
+} tl_post_rows_span;
+tl_post_rows_span tl_post_rows_around(const tl_image *image,
+                                      uint32_t first,
+                                      uint32_t end,
+                                      uint32_t halo);
 
 /* The host's memory of the picture becomes what the device has. */
 tl_status tl_post_bring_back(tl_post_work *work, tl_error *err);

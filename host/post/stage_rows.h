@@ -3,7 +3,8 @@
 #ifndef TL_STAGE_ROWS_H
 #define TL_STAGE_ROWS_H
 
-#include "post.h"
+#include "edges.h"
+#include "packing.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -12,7 +13,9 @@
  * X(name) */
 #define TL_POST_STEPS(X)            \
     X(TL_POST_STEP_COUNT_NO_COLORS) \
-    X(TL_POST_STEP_MEND)
+    X(TL_POST_STEP_MEND)            \
+    X(TL_POST_STEP_GATHER_EDGES)    \
+    X(TL_POST_STEP_SMOOTH_EDGES)
 
 typedef enum tl_post_step {
 #define TL_POST_STEP_NAME(name) name,
@@ -27,6 +30,11 @@ typedef struct tl_post_rows_job {
     const float *from; /* as POST_FROM */
     float *to;
     uint64_t count; /* is raised */
+    float *numbers; /* between the steps of a stage */
+    const tl_view_gather *gather;
+    const tl_needs *needs;
+    const tl_word_planes *planes;
+    const tl_view_edge_stage *edges;
 } tl_post_rows_job;
 
 /* What every twin of them is called with: rows [begin, end). */

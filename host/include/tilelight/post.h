@@ -18,6 +18,8 @@ extern "C" {
 #define TL_POST_STAGES(X)                                                                     \
     X(TL_POST_MEND, "mend", "the picture, 1 row around",                                      \
       "pixels that are NaN or infinite are counted, and become the mean of their neighbours") \
+    X(TL_POST_EDGES, "edges", "the picture, depth and normals, 1 row around",                 \
+      "edges of surfaces are smoothed")                                                       \
     X(TL_POST_RESOLVE, "resolve", "the picture, a pixel's own samples",                       \
       "a pixel becomes the mean of its samples")
 
@@ -34,10 +36,25 @@ typedef struct tl_post_stage_row {
 
 extern const tl_post_stage_row tl_post_stage_rows[TL_POST_STAGE_COUNT];
 
+/* What counts as an edge. A straight one is smoothed from the threshold on, and in full where what it makes
+ * of kernels/edges.h's sum is twice that of the threshold; those of both attributes add up. */
+typedef struct tl_edge_options {
+    int normals, depth; /* 1: edges are looked for in it; both 0: the stage is off */
+    /* rad, above 0 to pi, by which normals turn; 0: TL_DEFAULT_EDGE_ANGLE */
+    float angle;
+    /* the step in depth, as a share of a pixel's own, above 0 to 1; 0: TL_DEFAULT_EDGE_STEP */
+    float step;
+} tl_edge_options;
+
+#define TL_DEFAULT_EDGE_ANGLE 0.5235987755982988f /* 30 degrees */
+#define TL_MOST_EDGE_ANGLE 3.1415927f
+#define TL_DEFAULT_EDGE_STEP 0.02f
+
 /* All zero: every stage but `resolve`, which samples call for, is off. */
 typedef struct tl_post_options {
     /* 1: pixels that are NaN or infinite are looked for. Lighting leaves none; a kernel of the user's may */
     int mend;
+    tl_edge_options edges;
 } tl_post_options;
 
 /* What a picture came to. */
@@ -54,8 +71,9 @@ typedef struct tl_post_counts {
 typedef struct tl_post tl_post;
 
 /* lighting: of it precision, path, vector_width and memory_limit say how stages are computed, as they do for
- * tl_lighting, which has refused what cannot be. device may be NULL if the precision needs none, and outlives
- * *out, which the caller releases with tl_post_destroy. Fails with TL_ERR_ARGUMENT or TL_ERR_MEMORY. */
+ * tl_lighting, which has refused what cannot be. device may be NULL if the precision needs none, and
+ * outlives *out, which the caller releases with tl_post_destroy. Fails with TL_ERR_ARGUMENT (an option is
+ * outside its range) or TL_ERR_MEMORY. */
 tl_status tl_post_create(tl_device *device,
                          const tl_lighting_options *lighting,
                          const tl_post_options *options,
