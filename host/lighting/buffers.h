@@ -25,7 +25,9 @@
     X(TL_BUFFER_POST_FROM, "[3][plane_rows][pitch] float, what a stage after lighting reads") \
     X(TL_BUFFER_POST_TO, "the same, what it writes")                                          \
     X(TL_BUFFER_POST_COUNT, "[1] uint")                                                       \
-    X(TL_BUFFER_POST_EDGES, "[TL_EDGE_PLANE_COUNT][rows][pitch] float")
+    X(TL_BUFFER_POST_EDGES, "[TL_EDGE_PLANE_COUNT][rows][pitch] float")                       \
+    X(TL_BUFFER_POST_SMALL, "[3][rows][pitch] float, of a smaller picture")                   \
+    X(TL_BUFFER_POST_SMALL_TOO, "the same")
 
 typedef enum tl_buffer_name {
 #define TL_BUFFER_NAME(name, shape) name,

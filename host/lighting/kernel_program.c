@@ -77,11 +77,17 @@ static tl_status fail_with_log(const tl_device *device, const tl_program *made, 
 /* Ours, or for shading the user's. */
 static const char *text_of(const tl_program *made)
 {
+    /* clang-format off */
     static const char *const texts[TL_PART_COUNT] = {
-        [TL_PART_CULL] = tl_cull_kernels,   [TL_PART_OCCLUDE] = tl_occlude_kernels,
-        [TL_PART_SHADE] = tl_shade_kernels, [TL_PART_BLEND] = tl_blend_kernel,
-        [TL_PART_MEND] = tl_mend_kernels,   [TL_PART_EDGES] = tl_edge_kernels,
+        [TL_PART_CULL] = tl_cull_kernels,
+        [TL_PART_OCCLUDE] = tl_occlude_kernels,
+        [TL_PART_SHADE] = tl_shade_kernels,
+        [TL_PART_BLEND] = tl_blend_kernel,
+        [TL_PART_MEND] = tl_mend_kernels,
+        [TL_PART_EDGES] = tl_edge_kernels,
+        [TL_PART_BLOOM] = tl_bloom_kernels,
     };
+    /* clang-format on */
     return made->user.text ? made->user.text : texts[made->part];
 }
 

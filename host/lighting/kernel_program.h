@@ -32,6 +32,7 @@ typedef enum tl_program_part {
     /* stages after lighting (host/post/), a part each; they are not of a frame that is lit */
     TL_PART_MEND,
     TL_PART_EDGES,
+    TL_PART_BLOOM,
     TL_PART_COUNT,
     TL_LIGHTING_PART_COUNT = TL_PART_MEND
 } tl_program_part;
@@ -53,7 +54,11 @@ typedef enum tl_program_part {
     X(count_no_colors, TL_PART_MEND, 1)               \
     X(mend_picture, TL_PART_MEND, 1)                  \
     X(gather_edges, TL_PART_EDGES, 1)                 \
-    X(smooth_edges, TL_PART_EDGES, 1)
+    X(smooth_edges, TL_PART_EDGES, 1)                 \
+    X(gather_bright, TL_PART_BLOOM, 1)                \
+    X(blur_across, TL_PART_BLOOM, 1)                  \
+    X(blur_down, TL_PART_BLOOM, 1)                    \
+    X(add_glow, TL_PART_BLOOM, 1)
 
 typedef struct tl_program {
     tl_program_part part;

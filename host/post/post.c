@@ -10,6 +10,7 @@ static const tl_stage *const stages[TL_POST_STAGE_COUNT] = {
     [TL_POST_MEND] = &tl_stage_mend,
     [TL_POST_EDGES] = &tl_stage_edges,
     [TL_POST_RESOLVE] = &tl_stage_resolve,
+    [TL_POST_BLOOM] = &tl_stage_bloom,
 };
 
 static tl_status check_edges(const tl_edge_options *edges, tl_error *err)
@@ -26,6 +27,32 @@ static tl_status check_edges(const tl_edge_options *edges, tl_error *err)
     return TL_OK;
 }
 
+static tl_status check_bloom(const tl_bloom_options *bloom, tl_error *err)
+{
+    const uint32_t side = bloom->side ? bloom->side : TL_DEFAULT_BLOOM_SIDE;
+    const double width = (double)(bloom->width > 0.0f ? bloom->width : TL_DEFAULT_BLOOM_WIDTH);
+    if (side != 2 && side != 4)
+        return tl_fail(err, TL_ERR_ARGUMENT,
+                       "bloom in a picture of 1/%u of the size: it must be 1/2 or 1/4", side);
+    if (!(bloom->strength >= 0.0f && bloom->strength <= TL_MOST_BLOOM_STRENGTH))
+        return tl_fail(err, TL_ERR_ARGUMENT, "a bloom of strength %g: it must be 0 to %g",
+                       (double)bloom->strength, (double)TL_MOST_BLOOM_STRENGTH);
+    if (!(bloom->threshold >= 0.0f && bloom->threshold <= TL_MOST_BLOOM_THRESHOLD))
+        return tl_fail(err, TL_ERR_ARGUMENT,
+                       "a bloom of what is above a radiance of %g: it must be 0 to %g",
+                       (double)bloom->threshold, (double)TL_MOST_BLOOM_THRESHOLD);
+    if (!(bloom->knee >= 0.0f && bloom->knee <= 1.0f))
+        return tl_fail(err, TL_ERR_ARGUMENT,
+                       "a knee of %g of the threshold of bloom: it must be 0 to 1",
+                       (double)bloom->knee);
+    if (!(width >= tl_least_bloom_width(side) && width <= tl_most_bloom_width(side)))
+        return tl_fail(err, TL_ERR_ARGUMENT,
+                       "a bloom %g px wide in a picture of 1/%u of the size: it must be %g to "
+                       "%g there",
+                       width, side, tl_least_bloom_width(side), tl_most_bloom_width(side));
+    return TL_OK;
+}
+
 tl_status tl_post_create(tl_device *device,
                          const tl_lighting_options *lighting,
                          const tl_post_options *options,
@@ -34,7 +61,9 @@ tl_status tl_post_create(tl_device *device,
 {
     if (!device && !tl_precision_is_on_host(lighting->precision))
         return tl_fail(err, TL_ERR_ARGUMENT, "this precision needs a device");
-    const tl_status status = check_edges(&options->edges, err);
+    tl_status status = check_edges(&options->edges, err);
+    if (status == TL_OK)
+        status = check_bloom(&options->bloom, err);
     if (status != TL_OK)
         return status;
     tl_post *made = calloc(1, sizeof *made);

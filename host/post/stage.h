@@ -47,7 +47,7 @@ typedef struct tl_stage {
     tl_status (*on_host)(tl_post_work *work, int *wrote, tl_error *err);
 } tl_stage;
 
-extern const tl_stage tl_stage_mend, tl_stage_edges, tl_stage_resolve;
+extern const tl_stage tl_stage_mend, tl_stage_edges, tl_stage_resolve, tl_stage_bloom;
 
 /* post->numbers has room for so many; what was there is lost. Fails with TL_ERR_MEMORY. */
 tl_status tl_post_reserve_numbers(tl_post *post, size_t count, tl_error *err);

@@ -3,6 +3,7 @@
 #ifndef TL_STAGE_ROWS_H
 #define TL_STAGE_ROWS_H
 
+#include "bloom.h"
 #include "edges.h"
 #include "packing.h"
 
@@ -15,7 +16,11 @@
     X(TL_POST_STEP_COUNT_NO_COLORS) \
     X(TL_POST_STEP_MEND)            \
     X(TL_POST_STEP_GATHER_EDGES)    \
-    X(TL_POST_STEP_SMOOTH_EDGES)
+    X(TL_POST_STEP_SMOOTH_EDGES)    \
+    X(TL_POST_STEP_GATHER_BRIGHT)   \
+    X(TL_POST_STEP_BLUR_ACROSS)     \
+    X(TL_POST_STEP_BLUR_DOWN)       \
+    X(TL_POST_STEP_ADD_GLOW)
 
 typedef enum tl_post_step {
 #define TL_POST_STEP_NAME(name) name,
@@ -35,6 +40,8 @@ typedef struct tl_post_rows_job {
     const tl_needs *needs;
     const tl_word_planes *planes;
     const tl_view_edge_stage *edges;
+    float *blurred; /* what becomes of `numbers` */
+    const tl_view_bloom_stage *bloom;
 } tl_post_rows_job;
 
 /* What every twin of them is called with: rows [begin, end). */

@@ -21,7 +21,9 @@ extern "C" {
     X(TL_POST_EDGES, "edges", "the picture, depth and normals, 1 row around",                 \
       "edges of surfaces are smoothed")                                                       \
     X(TL_POST_RESOLVE, "resolve", "the picture, a pixel's own samples",                       \
-      "a pixel becomes the mean of its samples")
+      "a pixel becomes the mean of its samples")                                              \
+    X(TL_POST_BLOOM, "bloom", "the picture, as many rows around as its width asks for",       \
+      "what is bright scatters over what is around")
 
 typedef enum tl_post_stage {
 #define TL_POST_NAME(name, word, reads, meaning) name,
@@ -50,17 +52,41 @@ typedef struct tl_edge_options {
 #define TL_MOST_EDGE_ANGLE 3.1415927f
 #define TL_DEFAULT_EDGE_STEP 0.02f
 
+/* What is bright scatters over what is around: kernels/bloom.h. */
+typedef struct tl_bloom_options {
+    float
+        strength; /* what is added, as a share of what is over the threshold; 0: the stage is off */
+    float threshold; /* radiance, of a pixel's largest number; 0: everything is bright */
+    float knee; /* 0 to 1: half the width in which the threshold fades in, as a share of it */
+    float
+        width; /* px, the standard deviation of what a pixel becomes; 0: TL_DEFAULT_BLOOM_WIDTH */
+    uint32_t
+        side; /* blurred is a picture of 1/2 or 1/4 of the size; 0: TL_DEFAULT_BLOOM_SIDE */
+} tl_bloom_options;
+
+#define TL_DEFAULT_BLOOM_WIDTH 6.0f
+#define TL_DEFAULT_BLOOM_SIDE 4
+#define TL_DEFAULT_BLOOM_KNEE 0.5f
+#define TL_MOST_BLOOM_STRENGTH 1000.0f
+#define TL_MOST_BLOOM_THRESHOLD 1e30f
+
+/* The widths that a picture of this size can be blurred by: 1.5 to 19 px at half, 3 to 39 at a quarter. */
+double tl_least_bloom_width(uint32_t side);
+double tl_most_bloom_width(uint32_t side);
+
 /* All zero: every stage but `resolve`, which samples call for, is off. */
 typedef struct tl_post_options {
     /* 1: pixels that are NaN or infinite are looked for. Lighting leaves none; a kernel of the user's may */
     int mend;
     tl_edge_options edges;
+    tl_bloom_options bloom;
 } tl_post_options;
 
 /* What a picture came to. */
 typedef struct tl_post_counts {
     uint32_t stages;       /* that ran, bits 1 << tl_post_stage */
     uint64_t mended_count; /* pixels (samples) that were NaN or infinite */
+    int is_bright;         /* 1: bloom has found something bright; else nothing was blurred */
     uint32_t
         band_count; /* the most parts that a stage ran in, to fit the memory limit; 0: none ran */
     uint64_t device_bytes;                 /* of the device's own buffers, at their largest */
