@@ -4,10 +4,11 @@
  * radiance and 12 of the picture read, and 12 written. docs/translucency.md has its time. */
 #include "blend.h"
 #include "frame.h"
+#include "aovs.h"
 
 /* opacity  [rows][pitch], 0 where the layer has no surface: there nothing else is read or written
- * lit      [3][rows][pitch], the layer's radiance
- * behind   [3][rows][pitch], becomes what is seen
+ * lit      [3][rows][pitch], the layer's radiance; with TL_SPLIT as many for each of its terms behind
+ * behind   the same, becomes what is seen
  * Global size: pixels of the band's rows, padding included, by TL_WIDTH. */
 __kernel void blend_layer(const tl_frame frame,
                           __global const float *restrict opacity,
@@ -20,7 +21,7 @@ __kernel void blend_layer(const tl_frame frame,
     const real share = LOAD(opacity, at);
     if (!any_lane(share > R(0.0)))
         return;
-    for (uint color = 0; color < 3; color++) {
+    for (uint color = 0; color < TL_PICTURE_PLANES(TL_SPLIT); color++) {
         const size_t here = color * plane_size + at;
         STORE_FLOAT(blended(share, LOAD(lit, here), LOAD(behind, here)), behind, here);
     }

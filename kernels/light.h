@@ -80,13 +80,16 @@ TL_INLINE real shine_of(tl_needs needs, surface s, half_angle a, real seen)
     return pick(a.above, needs.one_color ? seen * s.lobe_scale : seen, R(0.0));
 }
 
-/* The specular lobe; with one colour diffuse light too, for add_diffuse has left it out. */
+/* The specular lobe; with one colour diffuse light too, for add_diffuse has left it out. Where terms are
+ * split, each by itself as well. */
 TL_INLINE received
 add_lobe(received sum, tl_needs needs, light_colors colors, real seen, real shine, real power)
 {
     if (needs.one_color)
         sum.diffuse = fma3(colors.diffuse, FMA(power, shine, seen), sum.diffuse);
-    else
+    if (needs.one_color && needs.split)
+        sum.apart = fma3(colors.diffuse, seen, sum.apart);
+    if (!needs.one_color || needs.split)
         sum.specular = fma3(colors.specular, shine * power, sum.specular);
     return sum;
 }

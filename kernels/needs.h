@@ -3,6 +3,7 @@
 #ifndef TL_NEEDS_H
 #define TL_NEEDS_H
 
+#include "aovs.h"
 #include "dialect.h"
 #include "models.h"
 
@@ -40,16 +41,17 @@ typedef struct tl_needs {
     tl_u32 shapes;       /* what some light has of it; 0: lights have no shapes */
     tl_u32 sky;          /* 0: of one colour, frame.sky */
     tl_u32 surroundings; /* 1: what stands around pixels keeps ambient light from them */
+    tl_u32 split; /* terms that are written by themselves, bits 1 << tl_aov; 0: none is */
 } tl_needs;
 
 #ifdef __OPENCL_C_VERSION__
 TL_INLINE tl_needs needs_of_build(void)
 {
     const tl_needs needs = {
-        TL_PRESENT,        TL_FALLOFFS_USED, TL_SPECULAR,    TL_ORTHOGRAPHIC,
-        TL_LAYOUT,         TL_MODEL,         TL_SPOTS,       TL_ONE_COLOR,
-        TL_AMBIENT,        TL_IDLE,          TL_MODELS_USED, TL_CHOICES,
-        TL_FIXED_EXPONENT, TL_SHAPES,        TL_SKY,         TL_SURROUNDINGS};
+        TL_PRESENT,      TL_FALLOFFS_USED, TL_SPECULAR,       TL_ORTHOGRAPHIC, TL_LAYOUT,
+        TL_MODEL,        TL_SPOTS,         TL_ONE_COLOR,      TL_AMBIENT,      TL_IDLE,
+        TL_MODELS_USED,  TL_CHOICES,       TL_FIXED_EXPONENT, TL_SHAPES,       TL_SKY,
+        TL_SURROUNDINGS, TL_SPLIT};
     return needs;
 }
 #endif

@@ -58,6 +58,21 @@ TL_INLINE real at_most_largest(real radiance)
     return pick(radiance < TL_MOST_FLOAT, radiance, TL_MOST_FLOAT);
 }
 
+/* What the specular lobe reflects, where diffuse light is not of both lobes. */
+TL_INLINE real add_specular(tl_needs needs,
+                            real radiance,
+                            real specular,
+                            real specular_light,
+                            real f90,
+                            real grazing_light)
+{
+    if (needs.specular && !needs.one_color)
+        radiance = FMA(specular, received_by(specular, specular_light), radiance);
+    if (needs.specular && some_lobe_has(needs, TL_LOBE_GRAZING))
+        radiance = FMA(f90 - specular, received_by(f90 - specular, grazing_light), radiance);
+    return radiance;
+}
+
 /* Radiance of one channel. Ambient light multiplies the albedo plane, not the diffuse colour, so
  * that metals answer to it too. */
 TL_INLINE real channel_of(tl_needs needs,
@@ -71,10 +86,7 @@ TL_INLINE real channel_of(tl_needs needs,
                           real emissive)
 {
     real radiance = diffuse * received_by(diffuse, diffuse_light);
-    if (needs.specular && !needs.one_color)
-        radiance = FMA(specular, received_by(specular, specular_light), radiance);
-    if (needs.specular && some_lobe_has(needs, TL_LOBE_GRAZING))
-        radiance = FMA(f90 - specular, received_by(f90 - specular, grazing_light), radiance);
+    radiance = add_specular(needs, radiance, specular, specular_light, f90, grazing_light);
     if (needs.ambient)
         radiance = radiance + ambient_light;
     if (reads_planes(needs, TL_GROUP_EMISSIVE))
@@ -143,6 +155,72 @@ radiance_of(const tl_frame *frame, tl_needs needs, pixel of, substance m, receiv
                            pick(hit, lit.y, (scalar)frame->sky[1]),
                            pick(hit, lit.z, (scalar)frame->sky[2])};
     return radiance;
+}
+
+/* Light that a colour multiplies. */
+TL_INLINE vec3 tinted_light(vec3 color, vec3 light)
+{
+    const vec3 tinted = {color.x * received_by(color.x, light.x),
+                         color.y * received_by(color.y, light.y),
+                         color.z * received_by(color.z, light.z)};
+    return tinted;
+}
+
+TL_INLINE vec3 specular_term(tl_needs needs, substance m, received sum)
+{
+    const vec3 lobe = lobe_color(needs, m);
+    const real f90 = grazing_reflectance(m.specular);
+    if (needs.one_color)
+        return tinted_light(diffuse_color(needs, m), sum.specular);
+    const vec3 term = {add_specular(needs, R(0.0), lobe.x, sum.specular.x, f90, sum.grazing.x),
+                       add_specular(needs, R(0.0), lobe.y, sum.specular.y, f90, sum.grazing.y),
+                       add_specular(needs, R(0.0), lobe.z, sum.specular.z, f90, sum.grazing.z)};
+    return term;
+}
+
+TL_INLINE vec3 ambient_term(const tl_frame *frame, tl_needs needs, pixel of, received sum)
+{
+    const vec3 term = {
+        ambient_of(needs, of.albedo.x, frame->ambient[0], sum.ambient.x, of.occlusion),
+        ambient_of(needs, of.albedo.y, frame->ambient[1], sum.ambient.y, of.occlusion),
+        ambient_of(needs, of.albedo.z, frame->ambient[2], sum.ambient.z, of.occlusion)};
+    return term;
+}
+
+/* What a surface sends out of one term, which is not the background; 0 where nothing was hit.
+ *
+ * The exact sum of all terms, T, is the picture's radiance P to within rounding. No number is below 0, so a
+ * rounding is a share u = 2^-24 of what is rounded. P is rounded where each term after the first joins it,
+ * and once more with Fresnel's reflectance: 4 times at most; a term of its own twice at most. So with P cut as
+ * it is at the largest float, |P - min(T, largest)| <= 6u T, and 2^-146 for what is below floats' normal range.
+ * P is the sum in float bit for bit where nothing has highlights, for then each step is the same.
+ *
+ * With one colour (needs.h) and n lights on the pixel P has both lobes in one sum. It rounds once for a light's
+ * factor, n times for their sum and once for the product with the surface's colour; so do terms apart; and P
+ * twice more for what joins it: (2n + 6)u T. tests/test_split_terms.c asserts it on every pixel. */
+TL_INLINE vec3 surface_term(
+    const tl_frame *frame, tl_needs needs, tl_u32 term, pixel of, substance m, received sum)
+{
+    const vec3 none = {R(0.0), R(0.0), R(0.0)};
+    const vec3 scattered = needs.one_color ? sum.apart : sum.diffuse;
+    vec3 t = none;
+    if (term == TL_AOV_DIFFUSE)
+        t = tinted_light(diffuse_color(needs, m), scattered);
+    if (term == TL_AOV_SPECULAR && needs.specular)
+        t = specular_term(needs, m, sum);
+    if (term == TL_AOV_AMBIENT && needs.ambient)
+        t = ambient_term(frame, needs, of, sum);
+    if (term == TL_AOV_EMISSIVE && reads_planes(needs, TL_GROUP_EMISSIVE))
+        t = of.emissive;
+    const vec3 cut = {at_most_largest(t.x), at_most_largest(t.y), at_most_largest(t.z)};
+    return pick3(of.depth < (real)INFINITY, cut, none);
+}
+
+/* The background's term of what is seen. */
+TL_INLINE vec3 background_term(real depth, vec3 seen)
+{
+    const vec3 none = {R(0.0), R(0.0), R(0.0)};
+    return pick3(depth < (real)INFINITY, none, seen);
 }
 
 #endif

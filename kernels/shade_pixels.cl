@@ -5,6 +5,7 @@
 #include "options.h"
 #include "shape.h"
 #include "sky.h"
+#include "store_pixel.h"
 
 #if TL_BY_PIXEL
 
@@ -49,9 +50,8 @@ __kernel void shade_pixels(const tl_frame frame,
     const vec3 out =
         seen_radiance(&frame, needs, lights, in.depth, radiance_of(&frame, needs, in, m, sum),
                       (scalar)column, (scalar)(frame.first_row + row));
-    store_block(out.x, radiance + at, frame.pitch);
-    store_block(out.y, radiance + plane_size + at, frame.pitch);
-    store_block(out.z, radiance + 2 * plane_size + at, frame.pitch);
+    store_surface_terms(&frame, needs, in, m, sum, radiance, at);
+    store_seen(&frame, needs, in.depth, out, radiance, at);
 }
 
 #endif

@@ -29,6 +29,7 @@
 #include "occlusion.h"
 #include "shape.h"
 #include "sky.h"
+#include "store_pixel.h"
 
 /* A row of blocks in the largest tile, 64 px. */
 #define MOST_BLOCKS_OF_ROW (64 / BLOCK_COLUMNS)
@@ -43,7 +44,7 @@ TL_INLINE void ask_for_next_tile(const tl_layout *layout,
 {
     const size_t plane_size = (size_t)frame->rows * frame->pitch;
     ask_for_next(layout, words, planes, first, frame);
-    for (uint plane = 0; plane < 3; plane++)
+    for (uint plane = 0; plane < TL_PICTURE_PLANES(TL_SPLIT); plane++)
         for (uint column = 0; column < frame->tile_size; column += BYTES_PER_LINE / 4)
             ASK_FOR_ROWS(radiance + plane * plane_size + first + frame->tile_size + column,
                          frame->pitch, 1);
@@ -226,7 +227,7 @@ TL_INLINE int load_surfaces(const tl_frame *frame,
     return shows;
 }
 
-/* What a block with surfaces reflects and sends out. Its words are loaded anew after the lights: with them,
+/* What a block with surfaces reflects and sends out; its terms are stored. Its words are loaded anew after the lights: with them,
  * their loops would have no registers left. (Where lobes are plain, nothing asks for f.) */
 TL_INLINE vec3 lit_block(const tl_frame *frame,
                          tl_needs needs,
@@ -235,6 +236,7 @@ TL_INLINE vec3 lit_block(const tl_frame *frame,
                          tl_brdf_rows rows,
                          tile_lights by,
                          surface s,
+                         __global float *radiance,
                          size_t at)
 {
     const size_t plane_size = (size_t)frame->rows * frame->pitch;
@@ -248,7 +250,9 @@ TL_INLINE vec3 lit_block(const tl_frame *frame,
         load_some_words(&layout, words_there, planes, plane_size, at, frame->pitch);
     pixel in = pixel_of(needs, &layout, &words, -s.position.z);
     in.occlusion = ambient_share(frame, needs, (tl_numbers)by.lights, in.occlusion, at);
-    return radiance_of(frame, needs, in, substance_at(frame, needs, in, rows), sum);
+    const substance m = substance_at(frame, needs, in, rows);
+    store_surface_terms(frame, needs, in, m, sum, radiance, at);
+    return radiance_of(frame, needs, in, m, sum);
 }
 
 /* needs: what the tile computes. Where they leave something out that the build has, that is a constant, and
@@ -264,7 +268,6 @@ TL_INLINE void shade_tile(const tl_frame *frame,
 {
     const uint column0 = tile % frame->tiles_x * frame->tile_size;
     const uint row0 = tile / frame->tiles_x * frame->tile_size;
-    const size_t plane_size = (size_t)frame->rows * frame->pitch;
     const tl_layout layout = layout_of_build();
     const uint words_there = words_read(&layout, needs);
     const tl_brdf_rows rows = rows_behind(frame, by.lights);
@@ -284,14 +287,15 @@ TL_INLINE void shade_tile(const tl_frame *frame,
             const size_t at = of.first + b * BLOCK_COLUMNS;
             vec3 lit = {frame->sky[0], frame->sky[1], frame->sky[2]};
             if (shows_surface(surfaces[b]))
-                lit = lit_block(frame, needs, words_there, planes, rows, by, surfaces[b], at);
+                lit = lit_block(frame, needs, words_there, planes, rows, by, surfaces[b],
+                                radiance, at);
+            else
+                store_no_terms(frame, needs, radiance, at);
             const vec3 out =
                 seen_radiance(frame, needs, by.lights, -surfaces[b].position.z, lit,
                               (scalar)(column0 + b * BLOCK_COLUMNS) + LANE_COLUMN,
                               (scalar)(frame->first_row + row) + LANE_ROW);
-            store_block(out.x, radiance + at, frame->pitch);
-            store_block(out.y, radiance + plane_size + at, frame->pitch);
-            store_block(out.z, radiance + 2 * plane_size + at, frame->pitch);
+            store_seen(frame, needs, -surfaces[b].position.z, out, radiance, at);
         }
     }
 }
@@ -341,7 +345,8 @@ TL_INLINE ulong clock_now(void)
  * lights    [light_count]: first the global_count that reach everything; behind them as many
  *           tl_view_spots, where the scene has spots, and sections (frame.h)
  * starts, ends  [tiles_y * tiles_x]: tile t lists list[starts[t]] to list[ends[t] - 1], ascending
- * radiance  [3][rows][pitch], linear Rec. 709; written in full for every tile of the image
+ * radiance  [3][rows][pitch], linear Rec. 709; written in full for every tile of the image; with TL_SPLIT
+ *           as many for each of its terms behind
  * times     [tiles_y * tiles_x][2], with TL_TIMED alone: when each tile began and ended
  * Global size: tiles_x * tiles_y, tiles row by row. */
 __kernel void shade_tiles(const tl_frame frame,

@@ -14,17 +14,17 @@ typedef struct surface {
 
 /* What models other than the plain ones take of it beside that, the same for all lights: finish.h. */
 typedef struct finish {
-    integer model;   /* a row of models.h; reflects_by is what to ask */
-    real n_dot_v;    /* below 0 where the normal is turned from the eye */
-    real alpha2;     /* square of the lobe's width: metal-rough, Cook-Torrance */
+    integer model;    /* a row of models.h; reflects_by is what to ask */
+    real n_dot_v;     /* below 0 where the normal is turned from the eye */
+    real alpha2;      /* square of the lobe's width: metal-rough, Cook-Torrance */
     real half_alpha2; /* metal-rough */
-    real masking;    /* smith_root of n_dot_v: metal-rough */
-    real f90;        /* reflectance at grazing angles: metal-rough */
-    real flat, bent; /* A and B: Oren-Nayar */
-    real k;          /* Minnaert */
-    real per_wide2;  /* 1/alpha^2, of the wider axis: Ward */
-    real per_area;   /* 1/(4 ax ay): Ward */
-    vec3 sharp;      /* sharp_axis: Ward, where it is anisotropic */
+    real masking;     /* smith_root of n_dot_v: metal-rough */
+    real f90;         /* reflectance at grazing angles: metal-rough */
+    real flat, bent;  /* A and B: Oren-Nayar */
+    real k;           /* Minnaert */
+    real per_wide2;   /* 1/alpha^2, of the wider axis: Ward */
+    real per_area;    /* 1/(4 ax ay): Ward */
+    vec3 sharp;       /* sharp_axis: Ward, where it is anisotropic */
 } finish;
 
 /* A light, as a surface meets it. */
@@ -47,12 +47,14 @@ typedef struct received {
     vec3 diffuse, specular;
     vec3 grazing; /* of no matter where no model in use has Fresnel's reflectance */
     vec3 ambient; /* whatever the normal; of no matter where no light has an ambient lobe */
+    vec3
+        apart; /* where `diffuse` is of both lobes and terms are split: that of diffuse light alone */
 } received;
 
 TL_INLINE received nothing_received(void)
 {
     const vec3 none = {R(0.0), R(0.0), R(0.0)};
-    const received sum = {none, none, none, none};
+    const received sum = {none, none, none, none, none};
     return sum;
 }
 

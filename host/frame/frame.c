@@ -364,6 +364,7 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
         prepared->brightness * (double)prepared->brightest_texel * TL_MOST_OF_LIGHT >
         0.5 * (double)TL_MOST_FLOAT;
     prepared->needs = tl_needs_of_surfaces(gbuffer, &table);
+    prepared->needs.split = options->split;
     tl_needs_by_causes(&prepared->explanation, &prepared->needs);
     if (has_one_color(prepared)) {
         prepared->explanation.causes |= TL_BY(TL_CAUSE_ONE_COLOR);

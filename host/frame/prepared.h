@@ -47,6 +47,7 @@ typedef struct tl_prepare_options {
     tl_effects_mode effects;
     uint32_t shadow_filter; /* tl_lighting_options.shadow_filter; 0: TL_DEFAULT_SHADOW_FILTER */
     uint32_t occlusion_samples; /* tl_lighting_options.occlusion_samples; 0: the default */
+    uint32_t split;             /* tl_lighting_options.split */
     uint32_t layers; /* of those of the frame, how many are lit, each prepared by itself */
 } tl_prepare_options;
 

@@ -17,11 +17,18 @@ static int has_whole_planes(const tl_pass_context *c)
     return c->device->shares_memory || c->prepared->needs.surroundings;
 }
 
-/* Of the words and the radiance; of a layer its opacity and the picture behind it, too. */
-static uint64_t bytes_per_pixel(const tl_gbuffer *gbuffer)
+/* Planes of the picture, and of the terms of its radiance that are written by themselves. */
+static uint32_t picture_planes(const tl_pass_context *c)
 {
-    const uint64_t of_layer = gbuffer->opacity ? 4 * sizeof(float) : 0;
-    return tl_gbuffer_pixel_size(gbuffer) + 3 * sizeof(float) + of_layer;
+    return TL_PICTURE_PLANES(c->programs[TL_PART_SHADE]->options.split);
+}
+
+/* Of the words and the radiance; of a layer its opacity and the picture behind it, too. */
+static uint64_t bytes_per_pixel(const tl_pass_context *c, const tl_gbuffer *gbuffer)
+{
+    const uint64_t picture = picture_planes(c) * sizeof(float);
+    const uint64_t of_layer = gbuffer->opacity ? sizeof(float) + picture : 0;
+    return tl_gbuffer_pixel_size(gbuffer) + picture + of_layer;
 }
 
 /* Bytes of the device's own memory per row of tiles, lists apart. */
@@ -33,7 +40,7 @@ static uint64_t bytes_per_row(const tl_pass_context *c, const tl_gbuffer *gbuffe
         (TL_MAX_BOXES * 6 * element + (1 + TL_LIGHT_BLOCK / 32) * sizeof(cl_int)) *
             frame->box_pitch +
         2 * sizeof(cl_uint) * frame->tiles_x + sizeof(cl_ulong);
-    const uint64_t pixels = bytes_per_pixel(gbuffer) * frame->pitch * frame->tile_size;
+    const uint64_t pixels = bytes_per_pixel(c, gbuffer) * frame->pitch * frame->tile_size;
     return tiles + (has_whole_planes(c) ? 0 : pixels);
 }
 
@@ -41,7 +48,8 @@ static uint64_t bytes_per_row(const tl_pass_context *c, const tl_gbuffer *gbuffe
 static uint64_t bytes_in_common(const tl_pass_context *c, const tl_gbuffer *gbuffer)
 {
     const uint64_t count = c->prepared->frame.light_count;
-    const uint64_t planes = (uint64_t)gbuffer->pitch * gbuffer->rows * bytes_per_pixel(gbuffer);
+    const uint64_t planes =
+        (uint64_t)gbuffer->pitch * gbuffer->rows * bytes_per_pixel(c, gbuffer);
     return tl_prepared_buffer_size(c->prepared) +
            TL_RECT_PLANE_COUNT * TL_RECT_PITCH(count) * sizeof(cl_int) +
            (has_whole_planes(c) && !c->device->shares_memory ? planes : 0);
@@ -131,11 +139,11 @@ static tl_status upload(tl_pass_context *c,
         TRY(tl_buffers_share(c->buffers, c->device, TL_BUFFER_PLANES, gbuffer->planes,
                              host_pixels * tl_gbuffer_pixel_size(gbuffer), err));
         TRY(tl_buffers_share(c->buffers, c->device, TL_BUFFER_RADIANCE, image->planes,
-                             3 * host_pixels * sizeof(float), err));
+                             picture_planes(c) * host_pixels * sizeof(float), err));
     } else {
         TRY(tl_bands_upload_words(c, gbuffer, err));
         TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_RADIANCE,
-                               3 * pixels * sizeof(float), err));
+                               picture_planes(c) * pixels * sizeof(float), err));
     }
 done:
     return status;
@@ -155,16 +163,16 @@ static tl_status upload_behind(tl_pass_context *c,
         TRY(tl_buffers_share(c->buffers, c->device, TL_BUFFER_OPACITY, layer->opacity,
                              host_pixels * sizeof(float), err));
         TRY(tl_buffers_share(c->buffers, c->device, TL_BUFFER_BEHIND, image->planes,
-                             3 * host_pixels * sizeof(float), err));
+                             picture_planes(c) * host_pixels * sizeof(float), err));
         goto done;
     }
     TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_OPACITY, pixels * sizeof(float),
                            err));
-    TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_BEHIND, 3 * pixels * sizeof(float),
-                           err));
+    TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_BEHIND,
+                           picture_planes(c) * pixels * sizeof(float), err));
     TRY(tl_buffers_write(c->buffers, c->device, TL_BUFFER_OPACITY, layer->opacity + first,
                          pixels * sizeof(float), err));
-    for (unsigned color = 0; color < 3; color++)
+    for (unsigned color = 0; color < picture_planes(c); color++)
         TRY(tl_cl(clEnqueueWriteBuffer(c->device->queue,
                                        c->buffers->of[TL_BUFFER_BEHIND].memory, CL_TRUE,
                                        color * pixels * sizeof(float), pixels * sizeof(float),
@@ -195,13 +203,14 @@ static tl_status read_back(tl_pass_context *c,
     const size_t row = (size_t)image->pitch * sizeof(float), host_plane = row * image->rows;
     tl_status status = TL_OK;
     if (c->device->shares_memory) {
-        TRY(tl_buffers_touch(c->buffers, c->device, from, CL_MAP_READ, 3 * host_plane, err));
+        TRY(tl_buffers_touch(c->buffers, c->device, from, CL_MAP_READ,
+                             picture_planes(c) * host_plane, err));
         TRY(tl_pass_finish(c, err));
     } else {
         const size_t rows = (size_t)c->frame.tiles_y * c->frame.tile_size;
         const size_t origin[3] = {0, c->frame.buffer_row, 0},
                      host_origin[3] = {0, c->frame.first_row, 0};
-        const size_t region[3] = {row, rows, 3};
+        const size_t region[3] = {row, rows, picture_planes(c)};
         TRY(tl_cl(clEnqueueReadBufferRect(c->device->queue, c->buffers->of[from].memory,
                                           CL_TRUE, origin, host_origin, region, row,
                                           row * c->frame.rows, row, host_plane, image->planes,

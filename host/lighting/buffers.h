@@ -18,10 +18,10 @@
     X(TL_BUFFER_CELL_LIST, "[entries of all cells] uint")                                     \
     X(TL_BUFFER_LIST, "[list_length] uint")                                                   \
     X(TL_BUFFER_PLANES, "[plane_count][rows][pitch] float, the G-buffer's")                   \
-    X(TL_BUFFER_RADIANCE, "[3][rows][pitch] float, the image's")                              \
+    X(TL_BUFFER_RADIANCE, "[3, and 3 a term][rows][pitch] float, the image's")                \
     X(TL_BUFFER_TIMES, "[tiles_y * tiles_x][2] ulong")                                        \
     X(TL_BUFFER_OPACITY, "[rows][pitch] float, the layer's")                                  \
-    X(TL_BUFFER_BEHIND, "[3][rows][pitch] float, the image's; RADIANCE is a layer's then")    \
+    X(TL_BUFFER_BEHIND, "as RADIANCE, the image's; RADIANCE is a layer's then")               \
     X(TL_BUFFER_POST_FROM, "[3][plane_rows][pitch] float, what a stage after lighting reads") \
     X(TL_BUFFER_POST_TO, "the same, what it writes")                                          \
     X(TL_BUFFER_POST_COUNT, "[1] uint")                                                       \

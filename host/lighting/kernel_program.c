@@ -292,8 +292,10 @@ static tl_kernel_options options_of(tl_program_part part, const tl_kernel_option
     if (part == TL_PART_OCCLUDE || part == TL_PART_EDGES)
         return options_to_occlude(o);
     if (part >= TL_PART_BLEND) /* what knows nothing of a G-buffer */
-        return (tl_kernel_options){
-            .width = o->width, .by_pixel = o->by_pixel, .real_double = o->real_double};
+        return (tl_kernel_options){.width = o->width,
+                                   .by_pixel = o->by_pixel,
+                                   .real_double = o->real_double,
+                                   .split = part == TL_PART_BLEND ? o->split : 0};
     return (tl_kernel_options){.width = o->width,
                                .by_pixel = o->by_pixel,
                                .real_double = o->real_double,

@@ -37,7 +37,8 @@ static tl_status reserve_lit(tl_lighting *lighting, const tl_image *image, tl_er
     if (lighting->lit && lighting->lit->width == image->width &&
         lighting->lit->height == image->height)
         return TL_OK;
-    const tl_status status = tl_image_create(image->width, image->height, &made, err);
+    const tl_status status =
+        tl_image_create_parts(image->width, image->height, image->part_count, &made, err);
     if (status != TL_OK)
         return status;
     tl_image_destroy(lighting->lit);

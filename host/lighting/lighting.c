@@ -110,6 +110,14 @@ static tl_status check_options(const tl_device *device,
     if (options->layers > TL_MOST_LAYERS)
         return tl_fail(err, TL_ERR_ARGUMENT, "%u layers: %d at most", options->layers,
                        TL_MOST_LAYERS);
+    if (options->split & ~TL_ALL_AOVS)
+        return tl_fail(err, TL_ERR_ARGUMENT, "terms 0x%x: there are %d", options->split,
+                       TL_AOV_COUNT);
+    if (options->split && options->kernel.text)
+        return tl_fail(
+            err, TL_ERR_ARGUMENT,
+            "a kernel of one's own writes the picture alone, not the terms that it is the "
+            "sum of: leave them out, or the kernel");
     if (!(options->light_cutoff >= 0.0f && options->light_cutoff < INFINITY))
         return tl_fail(err, TL_ERR_ARGUMENT, "a light cutoff of %g lx: it must be 0 or above",
                        (double)options->light_cutoff);
@@ -204,7 +212,8 @@ tl_kernel_options tl_lighting_kernels(const tl_lighting *lighting, const tl_need
                                .choices = needs->choices,
                                .shapes = needs->shapes,
                                .sky = needs->sky,
-                               .surroundings = needs->surroundings};
+                               .surroundings = needs->surroundings,
+                               .split = needs->split};
 }
 
 static void keep_programs(const tl_device *device,
@@ -443,7 +452,8 @@ tl_status tl_lighting_surface(tl_lighting *lighting,
                                          .effects = options->effects,
                                          .shadow_filter = options->shadow_filter,
                                          .occlusion_samples = options->occlusion_samples,
-                                         .layers = options->layers},
+                                         .layers = options->layers,
+                                         .split = options->split},
                    notices, &lighting->prepared, err));
     lighting->prepared.approximations = options->approximations;
     lighting->explanation = lighting->prepared.explanation;
@@ -481,6 +491,11 @@ tl_status tl_lighting_run(tl_lighting *lighting,
             err, TL_ERR_ARGUMENT,
             "the image is %u x %u pixels, the G-buffer %u x %u: they must be of one size",
             image->width, image->height, gbuffer->camera.width, gbuffer->camera.height));
+    if (image->part_count != TL_AOVS_IN(lighting->options.split))
+        TRY(tl_fail(
+            err, TL_ERR_ARGUMENT,
+            "the image has %u parts, and %u terms are to be written: they must be as many",
+            image->part_count, TL_AOVS_IN(lighting->options.split)));
     TRY(unpack_for_user(lighting, &gbuffer, &before, timings, err));
     TRY(tl_lighting_surface(lighting, gbuffer, lights, image, NULL, timings, notices,
                             &frame_counts, err));

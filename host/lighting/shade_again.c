@@ -47,12 +47,13 @@ static tl_status need_device(const tl_lighting *lighting, tl_error *err)
                    "what is lit without OpenCL is not shaded once more: use --precision float");
 }
 
-/* The frame's needs less some effects. */
+/* The frame's needs less some effects, and of the picture alone. */
 static tl_needs needs_without(const tl_prepared *prepared, uint32_t effects)
 {
     tl_explanation explanation = prepared->explanation;
     tl_needs needs = prepared->needs;
     explanation.without = effects;
+    needs.split = 0;
     tl_needs_by_causes(&explanation, &needs);
     needs.choices &= tl_choosable(&needs);
     return needs;
@@ -116,6 +117,7 @@ tl_status tl_lighting_time_tiles(tl_lighting *lighting,
                     "kernels look at a clock on the cpu path of x86 processors alone: times of "
                     "tiles are not to be had here"));
     kernels.timed = 1;
+    kernels.split = 0;
     const double start = tl_seconds();
     const uint64_t first = ticks_now();
     TRY(shade_again(lighting, &kernels, 0, gbuffer, image, &ms, err));

@@ -22,7 +22,7 @@ static float mean_of(const float *corner, size_t pitch, uint32_t side)
 static void resolve_rows(void *context, size_t begin, size_t end)
 {
     const job *j = context;
-    for (unsigned channel = 0; channel < 3; channel++)
+    for (unsigned channel = 0; channel < tl_image_plane_count(j->to); channel++)
         for (size_t row = begin; row < end; row++) {
             const float *const from =
                 tl_image_plane(j->from, channel) + row * j->side * j->from->pitch;
@@ -37,8 +37,8 @@ tl_status tl_image_resolve(const tl_image *from, uint32_t side, tl_image **out, 
     assert(side > 0 && from->width % side == 0 && from->height % side == 0);
     job j = {.from = from, .side = side};
     tl_image *made = NULL;
-    const tl_status status =
-        tl_image_create(from->width / side, from->height / side, &made, err);
+    const tl_status status = tl_image_create_parts(from->width / side, from->height / side,
+                                                   from->part_count, &made, err);
     if (status != TL_OK)
         return status;
     j.to = made;

@@ -14,16 +14,13 @@ typedef struct light_choice {
     uint32_t count;
 } light_choice;
 
-/* What leaves the surface of a pixel towards the eye, lit by these lights. Those that reach the pixel are
- * among them; what others add is exactly nothing. */
-TL_INLINE vec3 light_surface_by(const tl_prepared *prepared,
-                                light_choice lights,
-                                pixel in,
-                                surface s)
+/* What the surface of a pixel receives of these lights. Those that reach the pixel are among them; what others
+ * add is exactly nothing. */
+TL_INLINE received
+received_of(const tl_prepared *prepared, light_choice lights, pixel in, surface s, substance m)
 {
     const tl_frame *frame = &prepared->frame;
     const tl_needs needs = prepared->needs;
-    const substance m = substance_at(frame, needs, in, prepared->rows);
     const finish f = finish_of(needs, s, m);
     received sum = nothing_received();
     if (in.depth < (real)INFINITY) {
@@ -33,13 +30,16 @@ TL_INLINE vec3 light_surface_by(const tl_prepared *prepared,
                                 prepared->spots[i], i < frame->global_count);
         }
     }
-    return radiance_of(frame, needs, in, m, sum);
+    return sum;
 }
 
-/* The same, lit by every light of the frame. */
+/* What leaves it towards the eye, lit by every light of the frame. */
 TL_INLINE vec3 light_surface(const tl_prepared *prepared, pixel in, surface s)
 {
-    return light_surface_by(prepared, (light_choice){NULL, prepared->frame.light_count}, in, s);
+    const light_choice all = {NULL, prepared->frame.light_count};
+    const substance m = substance_at(&prepared->frame, prepared->needs, in, prepared->rows);
+    return radiance_of(&prepared->frame, prepared->needs, in, m,
+                       received_of(prepared, all, in, s, m));
 }
 
 /* Of a pixel that is not packed. */

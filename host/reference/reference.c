@@ -38,7 +38,7 @@ typedef struct job {
     tl_twin_rows *twin;
     tl_word_planes planes;
     const float *opacity;
-    float *radiance[3];
+    float *radiance;
 } job;
 
 static void light_rows(void *context, size_t begin, size_t end)
@@ -55,9 +55,8 @@ void tl_reference_light(const tl_prepared *prepared,
     job j = {.prepared = prepared,
              .twin = twin_for(arithmetic),
              .planes = tl_word_planes_of(gbuffer),
-             .opacity = gbuffer->opacity};
-    for (unsigned i = 0; i < 3; i++)
-        j.radiance[i] = tl_image_plane(image, i);
+             .opacity = gbuffer->opacity,
+             .radiance = tl_image_plane(image, 0)};
     tl_reference_surround(prepared, gbuffer, arithmetic);
     tl_parallel(prepared->frame.tiles_y * prepared->frame.tile_size, 1, light_rows, &j);
 }

@@ -56,7 +56,7 @@ void TL_TWIN(const tl_prepared *prepared,
     const light_choice lights =
         lights_of(prepared, box_of(prepared, planes, at, count), reaching);
     for (size_t i = 0; i < count; i++) {
-        const vec3 out = twin_pixel(prepared, planes, lights, at[i].x, at[i].y);
+        const vec3 out = twin_pixel(prepared, planes, lights, at[i].x, at[i].y).radiance;
         radiance[i][0] = (float)out.x;
         radiance[i][1] = (float)out.y;
         radiance[i][2] = (float)out.z;

@@ -21,16 +21,26 @@ static float seen(real lit, const float *opacity, size_t at, float behind)
                    : (float)lit;
 }
 
+/* Three planes of plane_size numbers. */
+static void put(vec3 color, const float *opacity, float *planes, size_t plane_size, size_t at)
+{
+    const real of[3] = {color.x, color.y, color.z};
+    for (size_t i = 0; i < 3; i++)
+        planes[i * plane_size + at] = seen(of[i], opacity, at, planes[i * plane_size + at]);
+}
+
 void TL_TWIN(const tl_prepared *prepared,
              const tl_word_planes *planes,
              const float *opacity,
-             float *const radiance[3],
+             float *radiance,
              size_t begin,
              size_t end)
 {
     const light_choice all = {NULL, prepared->frame.light_count};
     const uint32_t tile = prepared->frame.tile_size;
     const uint32_t width = prepared->frame.tiles_x * tile;
+    const size_t plane_size = (size_t)prepared->frame.rows * prepared->frame.pitch;
+    const tl_u32 split = prepared->needs.split;
 #ifdef TL_TWIN_CHOOSES
     chosen = prepared->approximations;
 #endif
@@ -39,10 +49,12 @@ void TL_TWIN(const tl_prepared *prepared,
             const size_t at = (size_t)row * prepared->frame.pitch + column;
             if (opacity && !(opacity[at] > 0.0f))
                 continue;
-            const vec3 out = twin_pixel(prepared, planes, all, column, row);
-            radiance[0][at] = seen(out.x, opacity, at, radiance[0][at]);
-            radiance[1][at] = seen(out.y, opacity, at, radiance[1][at]);
-            radiance[2][at] = seen(out.z, opacity, at, radiance[2][at]);
+            const seen_pixel out = twin_pixel(prepared, planes, all, column, row);
+            put(out.radiance, opacity, radiance, plane_size, at);
+            for (tl_u32 term = 0; term < TL_AOV_COUNT; term++)
+                if (split >> term & 1u)
+                    put(out.terms[term], opacity,
+                        radiance + TL_AOV_PLANE(split, term) * plane_size, plane_size, at);
         }
     }
 }

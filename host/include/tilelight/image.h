@@ -12,22 +12,32 @@
 extern "C" {
 #endif
 
-/* Three float planes R, G, B, padded like a G-buffer's. */
+/* Three float planes R, G, B, padded like a G-buffer's; a picture that was asked for in parts has as many for
+ * each of them behind. */
 typedef struct tl_image {
     uint32_t width, height; /* px */
     uint32_t pitch, rows;   /* multiples of TL_PADDING, at least width and height */
-    float *planes;          /* [3][rows][pitch], aligned to 4096 bytes; linear Rec. 709 */
+    float
+        *planes; /* [1 + part_count][3][rows][pitch], aligned to 4096 bytes; linear Rec. 709 */
+    uint32_t part_count;
 } tl_image;
 
 /* All black. The caller releases *out with tl_image_destroy. Fails with TL_ERR_ARGUMENT for an
  * extent outside 1 to TL_MAX_EXTENT, or TL_ERR_MEMORY. */
 tl_status tl_image_create(uint32_t width, uint32_t height, tl_image **out, tl_error *err);
 
+/* The same, with room for parts. */
+tl_status tl_image_create_parts(
+    uint32_t width, uint32_t height, uint32_t part_count, tl_image **out, tl_error *err);
+
 /* Accepts NULL. */
 void tl_image_destroy(tl_image *image);
 
-/* Plane 0, 1 or 2: [rows][pitch], owned by the image. */
+/* Plane 0, 1 or 2, or of part p, which counts from 0, 3 (1 + p) on: [rows][pitch], owned by the image. */
 float *tl_image_plane(const tl_image *image, unsigned channel);
+
+/* 3, and 3 for each part. */
+uint32_t tl_image_plane_count(const tl_image *image);
 
 /* How many pixels have a channel above `most`; NaN is not. On all threads. Cannot fail. */
 uint64_t tl_image_count_above(const tl_image *image, float most);
@@ -36,7 +46,7 @@ uint64_t tl_image_count_above(const tl_image *image, float most);
  * as it is, before exposure and tone. Summed in double from the top left, row by row, and
  * rounded once: equal samples keep their value, and the bits do not depend on the number of
  * threads. What is not finite makes its own pixel so. width and height of `from` are multiples
- * of side. On all threads. The caller releases *out with tl_image_destroy. Fails with
+ * of side. Parts likewise. On all threads. The caller releases *out with tl_image_destroy. Fails with
  * TL_ERR_MEMORY. */
 tl_status tl_image_resolve(const tl_image *from, uint32_t side, tl_image **out, tl_error *err);
 

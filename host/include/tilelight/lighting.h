@@ -2,6 +2,7 @@
 #ifndef TL_LIGHTING_H
 #define TL_LIGHTING_H
 
+#include "aovs.h"
 #include "approximations.h"
 #include "effects.h"
 #include "gbuffer.h"
@@ -134,6 +135,9 @@ typedef struct tl_lighting_options {
     /* Of the frame's layers, at most so many are lit and blended, the nearest; another picture where it has
      * more */
     uint32_t layers;
+    /* terms of the radiance that are written by themselves too, bits 1 << tl_aov: as parts of the image, in
+     * their order; TL_ALL_AOVS: all. The picture is the same bit for bit. Not with a kernel of the user's */
+    uint32_t split;
     float light_cutoff; /* a light without a range ends where it gives this (lx); 0: never */
     uint64_t
         memory_limit; /* bytes of device memory beside shared ones; 0: what the device has */
@@ -150,7 +154,7 @@ typedef struct tl_lighting_counts {
     uint64_t list_length; /* (tile, light) pairs of all lists; global lights are not listed */
     /* pixels in which light added up beyond the largest float: they have that */
     uint64_t cut_count;
-    uint32_t layer_count; /* that were lit beside the surfaces behind them */
+    uint32_t layer_count;       /* that were lit beside the surfaces behind them */
     uint64_t layer_list_length; /* of their lists; list_length is of the surfaces' */
     uint64_t pair_count;   /* (pixel, light) pairs that the lists stand for, padding included */
     uint32_t band_count;   /* the frame was lit in this many parts, to fit memory_limit */
@@ -178,11 +182,12 @@ tl_status tl_lighting_create(tl_device *device,
 void tl_lighting_destroy(tl_lighting *lighting);
 
 /* Lights one frame, of any layout, that tl_gbuffer_repair has been through: its surfaces, then its layers
- * over them, from the farthest to the nearest. *image has the G-buffer's size and is written in full. A
+ * over them, from the farthest to the nearest. *image has the G-buffer's size, and a part for each term of
+ * options.split, and is written in full. A
  * user's kernel is given full float: for it a packed frame is unpacked first, anew for every frame. Compiles
  * kernels where the scene needs ones it has not needed before; allocates only where a frame is larger, or has
  * more lights, than every one before. A frame that does not fit memory_limit is lit in bands of tile rows,
- * with the same bits. timings, notices, counts may be NULL. Fails with TL_ERR_ARGUMENT (sizes differ; one row
+ * with the same bits. timings, notices, counts may be NULL. Fails with TL_ERR_ARGUMENT (sizes or parts differ; one row
  * of tiles is beyond memory_limit), TL_ERR_FORMAT (a row of materials leads nowhere, an index has none; a
  * user's kernel does not compile), TL_ERR_DEVICE or TL_ERR_MEMORY. */
 tl_status tl_lighting_run(tl_lighting *lighting,
