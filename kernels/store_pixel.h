@@ -7,7 +7,7 @@
 #include "pixel.h"
 
 /* Three planes of plane_size numbers; at: the block's first pixel. */
-TL_INLINE void store_color(
+TL_INLINE void store_block_color(
     vec3 color, __global float *planes, size_t plane_size, size_t at, uint pitch)
 {
     store_block(color.x, planes + at, pitch);
@@ -23,8 +23,8 @@ TL_INLINE void store_term(const tl_frame *frame,
                           size_t at)
 {
     const size_t plane_size = (size_t)frame->rows * frame->pitch;
-    store_color(color, radiance + TL_AOV_PLANE(needs.split, term) * plane_size, plane_size, at,
-                frame->pitch);
+    store_block_color(color, radiance + TL_AOV_PLANE(needs.split, term) * plane_size,
+                      plane_size, at, frame->pitch);
 }
 
 /* Terms of surfaces; of a block without any they are 0. */
@@ -63,7 +63,7 @@ TL_INLINE void store_seen(const tl_frame *frame,
                           __global float *radiance,
                           size_t at)
 {
-    store_color(seen, radiance, (size_t)frame->rows * frame->pitch, at, frame->pitch);
+    store_block_color(seen, radiance, (size_t)frame->rows * frame->pitch, at, frame->pitch);
     if (needs.split >> TL_AOV_BACKGROUND & 1u)
         store_term(frame, needs, TL_AOV_BACKGROUND, background_term(depth, seen), radiance, at);
 }
