@@ -200,6 +200,10 @@ void job_release(job *j)
 {
     json_decref(j->report);
     tl_image_destroy(j->image);
+    for (size_t i = 0; i < j->aovs.count; i++)
+        tl_image_destroy(j->aovs.images[i]);
+    free(j->aovs.images);
+    free(j->aovs.layers);
     tl_light_set_clear(&j->lights);
     tl_gbuffer_destroy(j->gbuffer);
     *j = (job){0};

@@ -13,6 +13,14 @@
 #include <jansson.h>
 #include <stdbool.h>
 
+/* Layers of a picture, as it was lit: before any stage but the mean of samples. */
+typedef struct job_aovs {
+    tl_image_layer *layers; /* [count] */
+    tl_image *
+        *images; /* [count], what they show, owned; NULL where they share that of another */
+    size_t count;
+} job_aovs;
+
 /* All zero to begin with; released with job_release. */
 typedef struct job {
     tl_gbuffer *gbuffer;
@@ -23,6 +31,7 @@ typedef struct job {
     tl_look look;
     tl_repairs repairs;
     tl_image *image;
+    job_aovs aovs; /* what is written beside it in EXRs */
     tl_timings timings;
     double start_s;          /* when the process began, on tl_seconds' clock */
     double first_kernel_ms;  /* after that; 0: no kernel ran */

@@ -2,6 +2,7 @@
 
 #include "approximation_options.h"
 #include "console.h"
+#include "job_aovs.h"
 #include "job_promise.h"
 #include "light_words.h"
 #include "try.h"
@@ -121,7 +122,8 @@ tl_status job_light(job *j,
     job_choose_occlusion(j, choice);
     tell_model(j);
     tell_layers(j, &options);
-    TRY(tl_image_create(camera->width, camera->height, &j->image, err));
+    TRY(tl_image_create_parts(camera->width, camera->height, TL_AOVS_IN(options.split),
+                              &j->image, err));
     if (goal)
         TRY(job_promise_light(j, goal, device, &options, &counts, &lighting, err));
     else
@@ -129,6 +131,7 @@ tl_status job_light(job *j,
     tell_approximations(j, &options.approximations);
     if (told)
         TRY(explain_take(j, lighting, &options, &counts, told, err));
+    TRY(job_take_aovs(j, choice, device, err));
     report_counts(j, &counts);
     if (counts.first_kernel_s > 0.0)
         j->first_kernel_ms = 1e3 * (counts.first_kernel_s - j->start_s);

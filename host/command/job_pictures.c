@@ -99,7 +99,10 @@ static tl_status write_exr(writing *w, const char *path, tl_error *err)
 {
     if (w->options->exr.half)
         tell_cut(w->image, path);
-    return tl_image_write_exr(path, w->image, w->options->exr, err);
+    if (w->j->aovs.count == 0)
+        return tl_image_write_exr(path, w->image, w->options->exr, err);
+    return tl_image_write_layers(path, w->image, w->j->aovs.layers, w->j->aovs.count,
+                                 w->options->exr, err);
 }
 
 static tl_status write_pfm(writing *w, const char *path, tl_error *err)

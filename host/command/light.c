@@ -1,4 +1,5 @@
 /* tilelight light: one G-buffer file to pictures. */
+#include "aov_options.h"
 #include "commands.h"
 #include "console.h"
 #include "import_options.h"
@@ -25,6 +26,7 @@ static void check_together(const light_options *options, struct argp_state *stat
 {
     if (options->report.json && picture_on_standard_output(&options->pictures))
         argp_error(state, "-o - and --json both want standard output");
+    aov_check_together(&options->lighting, &options->pictures, state);
     promise_check_together(&options->promise, &options->lighting, &options->pictures, state);
 }
 
@@ -42,6 +44,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         state->child_inputs[5] = &options->promise;
         state->child_inputs[6] = &options->lighting.options;
         state->child_inputs[7] = &options->post;
+        state->child_inputs[8] = &options->lighting;
         return 0;
     }
     if (key == ARGP_KEY_SUCCESS)
@@ -58,6 +61,7 @@ static const struct argp_child children[] = {
     {&promise_argp, 0, "What the picture keeps (docs/promise.md):", 6},
     {&layers_argp, 0, NULL, 2},
     {&post_argp, 0, "After lighting (docs/post-processing.md):", 3},
+    {&aov_argp, 0, NULL, 1},
     {0},
 };
 

@@ -14,6 +14,7 @@ typedef struct lighting_choice {
     const char
         *chosen; /* an option that was given and that promises choose themselves; NULL: none */
     double occlusion_radius; /* m, of ambient occlusion; below 0: what the lights say */
+    bool groups; /* groups of lights are written by themselves, as aov_options.h says */
     bool strict; /* refuse pixels that would have to be repaired */
 } lighting_choice;
 

@@ -80,6 +80,10 @@ void promise_check_together(const promise_choice *promise,
     if (lighting->chosen)
         argp_error(state, "%s chooses %s itself: leave one of them out", promise->option,
                    lighting->chosen);
+    if (lighting->options.split || lighting->groups)
+        argp_error(state,
+                   "%s is kept by the picture, and --aov writes others: leave one of them out",
+                   promise->option);
     if (lighting->options.occlusion_samples)
         argp_error(state,
                    "%s is kept against ambient occlusion of %d samples: leave "

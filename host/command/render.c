@@ -1,4 +1,5 @@
 /* tilelight render: a glTF scene to pictures, the G-buffer staying in memory. */
+#include "aov_options.h"
 #include "commands.h"
 #include "console.h"
 #include "job_capture.h"
@@ -30,6 +31,7 @@ static void check_together(const render_options *options, struct argp_state *sta
         argp_error(state, "--scatter and --lights exclude each other");
     if (options->report.json && picture_on_standard_output(&options->pictures))
         argp_error(state, "-o - and --json both want standard output");
+    aov_check_together(&options->lighting, &options->pictures, state);
     promise_check_together(&options->promise, &options->lighting, &options->pictures, state);
 }
 
@@ -47,6 +49,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         state->child_inputs[4] = &options->explain;
         state->child_inputs[5] = &options->promise;
         state->child_inputs[6] = &options->post;
+        state->child_inputs[7] = &options->lighting;
         return 0;
     case OPTION_SCATTER:
         options->scatter_count = value_integer(state, "--scatter", text, 1, TL_MAX_SCATTERED);
@@ -72,6 +75,7 @@ static const struct argp_child children[] = {
     {&explain_argp, 0, "What the frame called for:", 6},
     {&promise_argp, 0, "What the picture keeps (docs/promise.md):", 7},
     {&post_argp, 0, "After lighting (docs/post-processing.md):", 4},
+    {&aov_argp, 0, NULL, 1},
     {0},
 };
 

@@ -4,7 +4,6 @@
 #include "parallel.h"
 #include "try.h"
 
-#include <assert.h>
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdbool.h>
@@ -41,6 +40,7 @@ typedef struct encoder {
     int chunk;
     unsigned char
         *computed; /* [computed][lines][width][WIDEST]; NULL where nothing is computed */
+    void **rows;   /* [computed]: one of each channel's lines there; NULL likewise */
 } encoder;
 
 tl_status tl_exr_writer_open(tl_exr_writer *writer, const char *path, tl_error *err)
@@ -132,10 +132,10 @@ static void compute_rows(encoder *own, uint32_t first_row)
     if (!picture->compute)
         return;
     for (uint32_t y = first_row; y < first_row + lines && y < picture->height; y++) {
-        void *rows[TL_EXR_MAX_COMPUTED] = {NULL};
         for (size_t i = 0; i < own->shared->computed_count; i++)
-            rows[i] = own->computed + (i * lines + y - first_row) * picture->width * WIDEST;
-        picture->compute(picture->context, y, rows);
+            own->rows[i] =
+                own->computed + (i * lines + y - first_row) * picture->width * WIDEST;
+        picture->compute(picture->context, y, own->rows);
     }
 }
 
@@ -202,7 +202,8 @@ static void encode_chunks(void *context, size_t begin, size_t end)
     if (picture->compute) {
         own.computed = calloc(shared->computed_count * (size_t)shared->lines,
                               picture->width * (size_t)WIDEST);
-        if (!own.computed)
+        own.rows = calloc(shared->computed_count, sizeof *own.rows);
+        if (!own.computed || !own.rows)
             result = EXR_ERR_OUT_OF_MEMORY;
     }
     while (result == EXR_ERR_SUCCESS) {
@@ -220,6 +221,7 @@ static void encode_chunks(void *context, size_t begin, size_t end)
     if (result != EXR_ERR_SUCCESS)
         end_turn(shared, result);
     exr_encoding_destroy(file, &own.pipeline);
+    free(own.rows);
     free(own.computed);
 }
 
@@ -260,7 +262,6 @@ static tl_status encode(tl_exr_writer *writer,
     encoding shared = {.writer = writer, .picture = picture, .part = part};
     for (size_t i = 0; i < picture->channel_count; i++)
         shared.computed_count += picture->channels[i].plane == NULL;
-    assert(shared.computed_count <= TL_EXR_MAX_COMPUTED);
     TRY(tl_exr_check(stream, exr_get_scanlines_per_chunk(stream->context, part, &shared.lines),
                      err));
     TRY(tl_exr_check(stream, exr_get_chunk_count(stream->context, part, &shared.chunk_count),

@@ -12,8 +12,6 @@
 
 #include <stddef.h>
 
-enum { TL_EXR_MAX_COMPUTED = 8 };
-
 /* A channel comes from memory, or is computed as the file is written. */
 typedef struct tl_exr_channel {
     const char *name;
@@ -27,9 +25,9 @@ typedef struct tl_exr_picture {
     size_t pitch;           /* pixels from row to row of every plane */
     size_t channel_count;
     const tl_exr_channel *channels;
-    /* Fills one row of the computed channels, in the order of `channels`; called on any thread.
+    /* Fills one row of the computed channels, however many, in the order of `channels`; called on any thread.
      * rows[i] is [width] of what the channel holds. NULL where every channel has a plane. */
-    void (*compute)(const void *context, uint32_t y, void *const rows[TL_EXR_MAX_COMPUTED]);
+    void (*compute)(const void *context, uint32_t y, void *const *rows);
     const void *context;
 } tl_exr_picture;
 

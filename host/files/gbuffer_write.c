@@ -14,10 +14,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+enum { MOST_JOINED = 4 };
+
 /* Channels of words that do not stand in memory as in the file. */
 typedef struct joined {
     tl_word_planes planes;
-    tl_word_channel channels[TL_EXR_MAX_COMPUTED - TL_PREVIEW_COUNT];
+    tl_word_channel channels[MOST_JOINED];
     size_t count;
 } joined;
 
@@ -45,7 +47,7 @@ static void join_words(
     }
 }
 
-static void compute_rows(const void *context, uint32_t y, void *const rows[TL_EXR_MAX_COMPUTED])
+static void compute_rows(const void *context, uint32_t y, void *const *rows)
 {
     const source *from = context;
     float *const preview[TL_PREVIEW_COUNT] = {rows[0], rows[1], rows[2], rows[3]};
@@ -107,7 +109,7 @@ static void list_words(source *from)
     for (size_t i = 0; i < word_count; i++) {
         const tl_word_channel *word = &from->words[i];
         const bool whole = tl_word_is_whole(word);
-        assert(whole || from->joined.count < TL_EXR_MAX_COMPUTED - TL_PREVIEW_COUNT);
+        assert(whole || from->joined.count < MOST_JOINED);
         if (!whole)
             from->joined.channels[from->joined.count++] = *word;
         from->channels[from->channel_count++] = (tl_exr_channel){

@@ -6,18 +6,102 @@
 #include "ranges.h"
 #include "try.h"
 
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { CHANNEL = sizeof((tl_image_layer *)NULL)->name + 2 };
+
 static const char *const channel_names[3] = {"R", "G", "B"};
 
+/* Its channels as they are written: those of the picture, then those of layers. */
+typedef struct layered {
+    const tl_image *image;
+    size_t count;             /* channels */
+    const float **planes;     /* [count] */
+    char (*names)[CHANNEL];   /* [count] */
+    tl_exr_channel *channels; /* [count] */
+} layered;
+
 /* A row in floats that halves hold. */
-static void cut_row(const void *context, uint32_t y, void *const rows[TL_EXR_MAX_COMPUTED])
+static void cut_row(const void *context, uint32_t y, void *const *rows)
 {
-    const tl_image *image = context;
-    for (unsigned c = 0; c < 3; c++) {
-        const float *from = tl_image_plane(image, c) + (size_t)y * image->pitch;
+    const layered *of = context;
+    for (size_t c = 0; c < of->count; c++) {
+        const float *from = of->planes[c] + (size_t)y * of->image->pitch;
         float *to = rows[c];
-        for (uint32_t x = 0; x < image->width; x++)
+        for (uint32_t x = 0; x < of->image->width; x++)
             to[x] = from[x] > TL_MOST_HALF ? TL_MOST_HALF : from[x];
     }
+}
+
+static void set_channel(layered *of, const char *layer, const float *planes, unsigned color)
+{
+    const size_t i = of->count++;
+    snprintf(of->names[i], CHANNEL, "%s%s%s", layer, layer[0] ? "." : "", channel_names[color]);
+    of->planes[i] = planes + color * (size_t)of->image->pitch * of->image->rows;
+}
+
+/* *out, released with release, also where it fails. */
+static tl_status join_layers(const tl_image *image,
+                             const tl_image_layer *layers,
+                             size_t count,
+                             tl_exr_form form,
+                             layered *out,
+                             tl_error *err)
+{
+    const size_t channels = 3 * (count + 1);
+    *out = (layered){.image = image,
+                     .planes = calloc(channels, sizeof *out->planes),
+                     .names = calloc(channels, sizeof *out->names),
+                     .channels = calloc(channels, sizeof *out->channels)};
+    if (!out->planes || !out->names || !out->channels)
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for %zu channels", channels);
+    for (unsigned c = 0; c < 3; c++)
+        set_channel(out, "", image->planes, c);
+    for (size_t i = 0; i < count; i++)
+        for (unsigned c = 0; c < 3; c++)
+            set_channel(out, layers[i].name, layers[i].planes, c);
+    for (size_t i = 0; i < channels; i++)
+        out->channels[i] = (tl_exr_channel){.name = out->names[i],
+                                            .type = tl_exr_type_of(form),
+                                            .held = EXR_PIXEL_FLOAT,
+                                            .plane = form.half ? NULL : out->planes[i]};
+    return TL_OK;
+}
+
+static void release(layered *of)
+{
+    free(of->channels);
+    free(of->names);
+    free(of->planes);
+}
+
+tl_status tl_image_write_layers(const char *path,
+                                const tl_image *image,
+                                const tl_image_layer *layers,
+                                size_t count,
+                                tl_exr_form form,
+                                tl_error *err)
+{
+    tl_status status = TL_OK;
+    tl_exr_writer writer = {.stream.context = NULL};
+    layered of;
+    TRY(join_layers(image, layers, count, form, &of, err));
+    const tl_exr_picture picture = {.width = image->width,
+                                    .height = image->height,
+                                    .pitch = image->pitch,
+                                    .channel_count = of.count,
+                                    .channels = of.channels,
+                                    .compute = form.half ? cut_row : NULL,
+                                    .context = &of};
+    TRY(tl_exr_writer_begin(&writer, path, image->width, image->height,
+                            tl_exr_compression_of(form), err));
+    TRY(tl_exr_writer_pixels(&writer, &picture, err));
+    TRY(tl_exr_writer_commit(&writer, err));
+done:
+    tl_exr_writer_abandon(&writer);
+    release(&of);
+    return status;
 }
 
 tl_status tl_image_write_exr(const char *path,
@@ -25,28 +109,7 @@ tl_status tl_image_write_exr(const char *path,
                              tl_exr_form form,
                              tl_error *err)
 {
-    tl_status status = TL_OK;
-    tl_exr_writer writer = {.stream.context = NULL};
-    tl_exr_channel channels[3];
-    const tl_exr_picture picture = {.width = image->width,
-                                    .height = image->height,
-                                    .pitch = image->pitch,
-                                    .channel_count = 3,
-                                    .channels = channels,
-                                    .compute = form.half ? cut_row : NULL,
-                                    .context = image};
-    for (unsigned c = 0; c < 3; c++)
-        channels[c] = (tl_exr_channel){.name = channel_names[c],
-                                       .type = tl_exr_type_of(form),
-                                       .held = EXR_PIXEL_FLOAT,
-                                       .plane = form.half ? NULL : tl_image_plane(image, c)};
-    TRY(tl_exr_writer_begin(&writer, path, image->width, image->height,
-                            tl_exr_compression_of(form), err));
-    TRY(tl_exr_writer_pixels(&writer, &picture, err));
-    TRY(tl_exr_writer_commit(&writer, err));
-done:
-    tl_exr_writer_abandon(&writer);
-    return status;
+    return tl_image_write_layers(path, image, NULL, 0, form, err);
 }
 
 tl_status tl_image_read_exr(const char *path, tl_image **out, tl_error *err)

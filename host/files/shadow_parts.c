@@ -36,7 +36,7 @@ static uint32_t *row_of(const tl_shadow_map *map, uint32_t view, uint32_t y)
     return map->texels + ((size_t)view * map->size + y) * map->size * 2;
 }
 
-static void compute_rows(const void *context, uint32_t y, void *const rows[TL_EXR_MAX_COMPUTED])
+static void compute_rows(const void *context, uint32_t y, void *const *rows)
 {
     const source *from = context;
     const uint32_t *texels = row_of(from->map, from->view, y);

@@ -168,6 +168,11 @@ static void add(const tl_gbuffer *gbuffer,
     if (tl_shadow_of(gbuffer, light))
         tl_cause_found(explanation, TL_CAUSE_SHADOW, source);
     prepared->two_colored_count += !is_idle && has_two_colors(&v);
+    tl_choices_note(prepared, &v, &spot, tl_light_has_shape(gbuffer, light));
+    if (options->lit && !options->lit[source]) {
+        explanation->causes |= before;
+        return;
+    }
     const uint32_t i = prepared->frame.light_count++;
     prepared->sources[i] = source;
     prepared->light_causes[i] = explanation->causes;
@@ -345,7 +350,10 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
     prepared->explanation = tl_causes_of_frame(gbuffer, lights, &table, options->effects);
     if (options->layers > 0 && gbuffer->layers.count > 0)
         prepared->explanation.causes |= TL_BY(TL_CAUSE_BLENDED);
+    prepared->explanation.without = options->without;
     prepared->two_colored_count = 0;
+    prepared->some_call = 0;
+    prepared->all_call = ~0u;
     prepared->brightest_texel = 1.0f;
     prepared->brightness = 0.0;
     prepared->sections_size = 0;

@@ -34,6 +34,8 @@ typedef struct tl_prepared {
      * may have been cut */
     int may_be_cut;
     uint32_t two_colored_count; /* lights that add something, with lobes of different colours */
+    /* of those that may be lit, what some and what all call for: bits of tl_choice */
+    tl_u32 some_call, all_call;
     /* of frame.brdfs_at, by the index of a pixel; NULL where the frame has none */
     const tl_brdf *rows;
     tl_explanation explanation;       /* where `needs` comes from */
@@ -48,7 +50,10 @@ typedef struct tl_prepare_options {
     uint32_t shadow_filter; /* tl_lighting_options.shadow_filter; 0: TL_DEFAULT_SHADOW_FILTER */
     uint32_t occlusion_samples; /* tl_lighting_options.occlusion_samples; 0: the default */
     uint32_t split;             /* tl_lighting_options.split */
-    uint32_t layers; /* of those of the frame, how many are lit, each prepared by itself */
+    /* [lights of the set]: 1: the light is lit. Of others is taken what kernels are built for. NULL: all are */
+    const uint8_t *lit;
+    uint32_t without; /* effects that are taken out, bits 1 << tl_effect: another picture */
+    uint32_t layers;  /* of those of the frame, how many are lit, each prepared by itself */
 } tl_prepare_options;
 
 /* Fills *prepared, growing its lights where they do not fit; all zero is a valid start. Lights that add

@@ -76,6 +76,7 @@ tl_status tl_lighting_layers(tl_lighting *lighting,
     TRY(reserve_lit(lighting, image, err));
     for (uint32_t i = count; i-- > 0;) {
         tl_lighting_counts own;
+        lighting->layers[i]->part = lighting->part;
         TRY(tl_lighting_surface(lighting->layers[i], layers->of[i], lights, image,
                                 lighting->lit, NULL, NULL, &own, err));
         add_counts(counts, &own);

@@ -443,18 +443,22 @@ tl_status tl_lighting_surface(tl_lighting *lighting,
                               tl_error *err)
 {
     const tl_lighting_options *options = &lighting->options;
+    const tl_light_part *part = lighting->part;
     tl_status status = TL_OK;
     double clock = tl_seconds();
-    TRY(tl_prepare(gbuffer, lights,
-                   &(tl_prepare_options){.tile_size = options->tile_size,
-                                         .box_count = box_counts[options->cull],
-                                         .light_cutoff = options->light_cutoff,
-                                         .effects = options->effects,
-                                         .shadow_filter = options->shadow_filter,
-                                         .occlusion_samples = options->occlusion_samples,
-                                         .layers = options->layers,
-                                         .split = options->split},
-                   notices, &lighting->prepared, err));
+    TRY(tl_prepare(
+        gbuffer, lights,
+        &(tl_prepare_options){.tile_size = options->tile_size,
+                              .box_count = box_counts[options->cull],
+                              .light_cutoff = options->light_cutoff,
+                              .effects = options->effects,
+                              .shadow_filter = options->shadow_filter,
+                              .occlusion_samples = options->occlusion_samples,
+                              .layers = options->layers,
+                              .split = options->split,
+                              .lit = part ? part->lit : NULL,
+                              .without = part && part->alone ? 1u << TL_EFFECT_EMISSION : 0},
+        notices, &lighting->prepared, err));
     lighting->prepared.approximations = options->approximations;
     lighting->explanation = lighting->prepared.explanation;
     clock = tl_timings_end(timings, "prepare", clock);

@@ -24,6 +24,7 @@ struct tl_lighting {
     uint32_t layer_capacity;
     tl_image *lit;              /* a layer's radiance, where the device shares memory; owned */
     tl_explanation explanation; /* of the last frame, layers included */
+    const tl_light_part *part;  /* that is being lit; NULL: all there is */
 };
 
 /* Whether a precision needs no OpenCL. */

@@ -120,18 +120,31 @@ typedef struct tl_exr_form {
     tl_exr_compression compression;
 } tl_exr_form;
 
+/* A picture that is written beside another, under a name: UTF-8, of at most 127 bytes. */
+typedef struct tl_image_layer {
+    char name[128];
+    const float *planes; /* [3][rows][pitch] of the picture that it stands beside */
+} tl_image_layer;
+
 /* Atomic writers, as tl_gbuffer_write; "-" is standard output, for all but OpenEXR, whose writer goes back
  * in the file. Fail with TL_ERR_WRITE or TL_ERR_MEMORY.
  *
  * OpenEXR: channels R, G, B, linear. In halves what is above 65504, the largest, is that. Usual are zip for
  * halves, at a low level, and none for floats: zip takes some 80 times the processor time for 43 % fewer
  * bytes. A compression that is not written fails with TL_ERR_UNSUPPORTED.
+ * Layers, which a picture may have beside it, are channels NAME.R, NAME.G, NAME.B, as compositors read them.
  * PFM: linear floats bit for bit, little-endian, the bottom row first.
  * PNG: 8 or 16 bits a channel; it says by which curve its codes are. */
 tl_status tl_image_write_exr(const char *path,
                              const tl_image *image,
                              tl_exr_form form,
                              tl_error *err);
+tl_status tl_image_write_layers(const char *path,
+                                const tl_image *image,
+                                const tl_image_layer *layers,
+                                size_t count,
+                                tl_exr_form form,
+                                tl_error *err);
 tl_status tl_image_write_pfm(const char *path, const tl_image *image, tl_error *err);
 tl_status tl_png_write(const char *path,
                        const uint8_t *rgb,

@@ -199,6 +199,26 @@ tl_status tl_lighting_run(tl_lighting *lighting,
                           tl_lighting_counts *counts,
                           tl_error *err);
 
+/* A part of a frame's light. */
+typedef struct tl_light_part {
+    const uint8_t *lit; /* [lights of the set]: 1: the light is lit */
+    int alone;          /* 1: of lamps alone, without ambient light, emission and sky */
+} tl_light_part;
+
+/* As tl_lighting_run, of this part of the light alone: with parts that have every light once, and are all but
+ * one of lamps alone, pictures add up to that of the whole, but for rounding (docs/compositing.md). Whatever
+ * lights are lit, programs are those of all. Fails likewise, and with TL_ERR_UNSUPPORTED for a kernel of the
+ * user's. */
+tl_status tl_lighting_run_part(tl_lighting *lighting,
+                               const tl_gbuffer *gbuffer,
+                               const tl_light_set *lights,
+                               const tl_light_part *part,
+                               tl_image *image,
+                               tl_timings *timings,
+                               const tl_notices *notices,
+                               tl_lighting_counts *counts,
+                               tl_error *err);
+
 /* What the last frame called for, its layers included, and why. *out is all zero before the first. Cannot
  * fail. */
 void tl_lighting_explain(const tl_lighting *lighting, tl_explanation *out);
