@@ -3,6 +3,7 @@
 #define _GNU_SOURCE /* setenv, mknod */
 #include "file_cases.h"
 
+#include "exr_reader.h"
 #include "full_device.h"
 #include "tilelight/image.h"
 
@@ -179,6 +180,50 @@ static void threads_change_nothing(void **state)
     remove(path);
 }
 
+/* Layers stand beside the picture under names that begin with theirs, of more than 31 bytes too. */
+static void layers_come_back(void **state)
+{
+    static const char *const channels[3] = {
+        "diffuse.G", "light_a name of more than 31 bytes, \xc3\xa9.B", "R"};
+    tl_image *image = make_image(33, 21), *one = make_image(33, 21), *two = make_image(33, 21);
+    tl_image_layer layers[2] = {{"diffuse", one->planes},
+                                {"light_a name of more than 31 bytes, \xc3\xa9", two->planes}};
+    const float *const planes[3] = {tl_image_plane(one, 1), tl_image_plane(two, 2),
+                                    tl_image_plane(image, 0)};
+    char path[512];
+    (void)state;
+    scratch_path(path, sizeof path, "layers.exr");
+    for (size_t at = 0; at < 3 * (size_t)image->pitch * image->rows; at++)
+        two->planes[at] = 0.5f * image->planes[at];
+    for (int half = 0; half < 2; half++) {
+        tl_exr_reader reader = {.is_open = false};
+        tl_image *read = make_image(33, 21);
+        tl_exr_target targets[3];
+        tl_error err;
+        ASSERT_OK(
+            tl_image_write_layers(path, image, layers, 2, (tl_exr_form){.half = half}, &err),
+            err);
+        ASSERT_OK(tl_exr_reader_open(&reader, path, &err), err);
+        for (unsigned c = 0; c < 3; c++) {
+            ASSERT_OK(tl_exr_reader_require(&reader, channels[c], &err), err);
+            targets[c] = (tl_exr_target){channels[c], EXR_PIXEL_FLOAT, tl_image_plane(read, c)};
+        }
+        ASSERT_OK(tl_exr_reader_pixels(&reader, targets, 3, read->pitch, &err), err);
+        for (unsigned c = 0; c < 3; c++)
+            for (uint32_t y = 0; y < read->height; y++)
+                for (uint32_t x = 0; x < read->width; x++) {
+                    const size_t at = (size_t)y * read->pitch + x;
+                    assert_near(tl_image_plane(read, c)[at], planes[c][at], half, channels[c]);
+                }
+        tl_exr_reader_close(&reader);
+        tl_image_destroy(read);
+    }
+    tl_image_destroy(two);
+    tl_image_destroy(one);
+    tl_image_destroy(image);
+    remove(path);
+}
+
 static void failures_are_told(void **state)
 {
     static const char *const full_words[] = {"No space", NULL};
@@ -205,6 +250,7 @@ int main(void)
         cmocka_unit_test(others_are_not_written),
         cmocka_unit_test(halves_hold_no_infinity),
         cmocka_unit_test(threads_change_nothing),
+        cmocka_unit_test(layers_come_back),
         cmocka_unit_test(failures_are_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
