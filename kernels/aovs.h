@@ -5,13 +5,15 @@
 
 /* In the order in which they are added.
  * X(name, word in options and files, what it is) */
-#define TL_AOVS(X)                                                         \
-    X(TL_AOV_DIFFUSE, "diffuse", "light of lamps that surfaces scatter")   \
-    X(TL_AOV_SPECULAR, "specular", "highlights of lamps")                  \
-    X(TL_AOV_AMBIENT, "ambient",                                           \
-      "ambient light and ambient lobes, less what is kept "                \
-      "from a surface")                                                    \
-    X(TL_AOV_EMISSIVE, "emissive", "what surfaces send out by themselves") \
+#define TL_AOVS(X)                                                                 \
+    X(TL_AOV_DIFFUSE, "diffuse", "light of lamps that surfaces scatter")           \
+    X(TL_AOV_SPECULAR, "specular", "highlights of lamps")                          \
+    X(TL_AOV_AMBIENT, "ambient",                                                   \
+      "ambient light and ambient lobes, less what is kept "                        \
+      "from a surface")                                                            \
+    X(TL_AOV_SKY_DIFFUSE, "sky-diffuse", "light of the sky that surfaces scatter") \
+    X(TL_AOV_SKY_SPECULAR, "sky-specular", "the sky, as surfaces mirror it")       \
+    X(TL_AOV_EMISSIVE, "emissive", "what surfaces send out by themselves")         \
     X(TL_AOV_BACKGROUND, "background", "the sky, where nothing was hit")
 
 #define TL_AOV_NAME(name, word, meaning) name,

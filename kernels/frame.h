@@ -45,7 +45,7 @@ typedef struct tl_frame {
     float exponent;  /* of all surfaces, where they have one (needs.h); else 0 */
     tl_u32 surroundings_at; /* what keeps ambient light from pixels: occlusion.h */
     tl_u32 is_layer; /* 1: is blended (blend.h), and what it says of sky not read */
-    tl_u32 unused;
+    tl_u32 sky_light_at; /* of the sky on surfaces: sky_light.h */
 } tl_frame;
 TL_STATIC_ASSERT(sizeof(tl_frame) == 192, frame_is_twelve_rows);
 
@@ -169,5 +169,19 @@ typedef struct tl_view_sky {
     tl_u32 reserved1; /* 0 */
 } tl_view_sky;
 TL_STATIC_ASSERT(sizeof(tl_view_sky) == 80, view_sky_is_five_rows);
+
+/* The light of the sky on surfaces: sky_light.h. Axes are those of the sky's map, unit, in view space; *_at are
+ * rows of the buffer. */
+typedef struct tl_view_sky_light {
+    float right[3];
+    tl_u32 texels_at; /* [count] of R, G, B, 0: all levels, one after another */
+    float up[3];
+    tl_u32 levels_at; /* [TL_SKY_LEVELS] of a level's first texel, and its size without border */
+    float ahead[3];
+    tl_u32 table_at; /* [TL_SKY_TABLE][TL_SKY_TABLE] of shares */
+    /* a channel's terms in the normal, in view space: 1, x, y, z, xx, yy, zz, xy, yz, zx, 0, 0 */
+    float irradiance[3][12];
+} tl_view_sky_light;
+TL_STATIC_ASSERT(sizeof(tl_view_sky_light) == 192, view_sky_light_is_twelve_rows);
 
 #endif

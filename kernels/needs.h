@@ -19,6 +19,10 @@
 #define TL_GRADIENT_SKY 1u
 #define TL_IMAGE_SKY 2u
 
+/* What surfaces have of the sky's light (sky_light.h): bits of tl_needs.sky_light. */
+#define TL_SKY_DIFFUSE 1u
+#define TL_SKY_MIRRORED 2u
+
 typedef struct tl_needs {
     tl_u32 present;      /* planes of the frame, bits 1 << plane */
     tl_u32 falloffs;     /* rows of falloff.h in use, bits 1 << row */
@@ -41,7 +45,8 @@ typedef struct tl_needs {
     tl_u32 shapes;       /* what some light has of it; 0: lights have no shapes */
     tl_u32 sky;          /* 0: of one colour, frame.sky */
     tl_u32 surroundings; /* 1: what stands around pixels keeps ambient light from them */
-    tl_u32 split; /* terms that are written by themselves, bits 1 << tl_aov; 0: none is */
+    tl_u32 split;     /* terms that are written by themselves, bits 1 << tl_aov; 0: none is */
+    tl_u32 sky_light; /* 0: the sky lights nothing */
 } tl_needs;
 
 #ifdef __OPENCL_C_VERSION__
@@ -51,7 +56,7 @@ TL_INLINE tl_needs needs_of_build(void)
         TL_PRESENT,      TL_FALLOFFS_USED, TL_SPECULAR,       TL_ORTHOGRAPHIC, TL_LAYOUT,
         TL_MODEL,        TL_SPOTS,         TL_ONE_COLOR,      TL_AMBIENT,      TL_IDLE,
         TL_MODELS_USED,  TL_CHOICES,       TL_FIXED_EXPONENT, TL_SHAPES,       TL_SKY,
-        TL_SURROUNDINGS, TL_SPLIT};
+        TL_SURROUNDINGS, TL_SPLIT,         TL_SKY_LIGHT};
     return needs;
 }
 #endif
@@ -127,5 +132,10 @@ enum {
 
 /* Whether the sky is not of one colour (sky.h). */
 #define paints_sky(needs) (OF_NEEDS(needs, (needs).sky, TL_SKY) != 0)
+
+/* Whether the sky lights surfaces, and whether some mirror it (sky_light.h). */
+#define lit_by_sky(needs) (OF_NEEDS(needs, (needs).sky_light, TL_SKY_LIGHT) != 0)
+#define mirrors_sky(needs) \
+    ((OF_NEEDS(needs, (needs).sky_light, TL_SKY_LIGHT) & TL_SKY_MIRRORED) != 0)
 
 #endif

@@ -33,7 +33,8 @@
  *   shapes         what lights have beside the rest, bits of needs.h; 0: none has shapes
  *   sky            0, or how the sky is painted: needs.h
  *   surroundings   1: there is ambient light, and what stands around keeps it from pixels
- *   split          terms of the radiance that are written by themselves, bits 1 << term of aovs.h */
+ *   split          terms of the radiance that are written by themselves, bits 1 << term of aovs.h
+ *   sky_light      0, or what surfaces have of the sky's light: bits of needs.h */
 #define TL_KERNEL_OPTIONS(X)             \
     X(TL_WIDTH, width)                   \
     X(TL_BY_PIXEL, by_pixel)             \
@@ -56,18 +57,19 @@
     X(TL_SHAPES, shapes)                 \
     X(TL_SKY, sky)                       \
     X(TL_SURROUNDINGS, surroundings)     \
-    X(TL_SPLIT, split)
+    X(TL_SPLIT, split)                   \
+    X(TL_SKY_LIGHT, sky_light)
 
 #ifdef __OPENCL_C_VERSION__
-#    if !defined(TL_WIDTH) || !defined(TL_BY_PIXEL) || !defined(TL_REAL_DOUBLE) ||            \
-        !defined(TL_PRECISE_POWER) || !defined(TL_ORTHOGRAPHIC) || !defined(TL_LAYOUT) ||     \
-        !defined(TL_PRESENT) || !defined(TL_SPECULAR) || !defined(TL_FALLOFFS_USED) ||        \
-        !defined(TL_MODEL) || !defined(TL_SPOTS) || !defined(TL_ONE_COLOR) ||                 \
-        !defined(TL_AMBIENT) || !defined(TL_IDLE) || !defined(TL_MODELS_USED) ||              \
-        !defined(TL_CHOICES) || !defined(TL_FIXED_EXPONENT) || !defined(TL_TIMED) ||          \
-        !defined(TL_SHAPES) || !defined(TL_SKY) || !defined(TL_SURROUNDINGS) ||               \
-        !defined(TL_SPLIT) || !defined(TL_POWER) || !defined(TL_FORM) || !defined(TL_ROOT) || \
-        !defined(TL_ARITHMETIC)
+#    if !defined(TL_WIDTH) || !defined(TL_BY_PIXEL) || !defined(TL_REAL_DOUBLE) ||        \
+        !defined(TL_PRECISE_POWER) || !defined(TL_ORTHOGRAPHIC) || !defined(TL_LAYOUT) || \
+        !defined(TL_PRESENT) || !defined(TL_SPECULAR) || !defined(TL_FALLOFFS_USED) ||    \
+        !defined(TL_MODEL) || !defined(TL_SPOTS) || !defined(TL_ONE_COLOR) ||             \
+        !defined(TL_AMBIENT) || !defined(TL_IDLE) || !defined(TL_MODELS_USED) ||          \
+        !defined(TL_CHOICES) || !defined(TL_FIXED_EXPONENT) || !defined(TL_TIMED) ||      \
+        !defined(TL_SHAPES) || !defined(TL_SKY) || !defined(TL_SURROUNDINGS) ||           \
+        !defined(TL_SKY_LIGHT) || !defined(TL_SPLIT) || !defined(TL_POWER) ||             \
+        !defined(TL_FORM) || !defined(TL_ROOT) || !defined(TL_ARITHMETIC)
 #        error "build the kernels through tl_program_build(), which passes every option"
 #    endif
 #    if TL_BY_PIXEL && TL_WIDTH != 1

@@ -7,6 +7,7 @@
 #include "light.h"
 #include "position.h"
 #include "ranges.h"
+#include "sky_light.h"
 #include "substance.h"
 
 /* (e + 2)/8, rounded once. */
@@ -24,7 +25,7 @@ surface_at(tl_needs needs, vec3 position, vec3 normal, real shininess, real spec
     s.position = position;
     s.normal = normal;
     s.to_eye = normal;
-    if (needs.specular || some_lobe_has(needs, TL_LOBE_EYE))
+    if (needs.specular || mirrors_sky(needs) || some_lobe_has(needs, TL_LOBE_EYE))
         s.to_eye = direction_to_eye(needs, position);
     s.shininess = shininess;
     s.lobe_scale = shininess; /* a number at hand, so that none is read for it */
@@ -83,12 +84,15 @@ TL_INLINE real channel_of(tl_needs needs,
                           real f90,
                           real grazing_light,
                           real ambient_light,
+                          real sky_light,
                           real emissive)
 {
     real radiance = diffuse * received_by(diffuse, diffuse_light);
     radiance = add_specular(needs, radiance, specular, specular_light, f90, grazing_light);
     if (needs.ambient)
         radiance = radiance + ambient_light;
+    if (lit_by_sky(needs))
+        radiance = radiance + sky_light;
     if (reads_planes(needs, TL_GROUP_EMISSIVE))
         radiance = radiance + emissive;
     return at_most_largest(radiance);
@@ -131,25 +135,65 @@ TL_INLINE vec3 diffuse_color(tl_needs needs, substance m)
     return pick3(lane_has(needs, m.model, TL_LOBE_BELOW), below, m.diffuse);
 }
 
+/* What multiplies light of the sky that is mirrored, of one channel: the specular colour, as the model tints it,
+ * without what keeps a lobe's energy, for the share of the whole sky has that. */
+TL_INLINE real
+mirror_color(tl_needs needs, substance m, real specular, real diffuse, real f90, received sum)
+{
+    real c = specular;
+    if (some_lobe_has(needs, TL_LOBE_DIFFUSE))
+        c = pick(lane_has(needs, m.model, TL_LOBE_DIFFUSE), c * diffuse, c);
+    real reflected = c * sum.mirrored_base;
+    if (some_lobe_has(needs, TL_LOBE_GRAZING)) {
+        const real rest = pick(f90 > specular, f90 - specular, R(0.0));
+        const real with_fresnel = FMA(rest, sum.mirrored_grazing, reflected);
+        reflected = pick(lane_has(needs, m.model, TL_LOBE_GRAZING), with_fresnel, reflected);
+    }
+    return pick(lane_has(needs, m.model, TL_LOBE_SPECULAR), reflected, R(0.0));
+}
+
+/* Diffuse and mirrored light of the sky that leaves a surface towards the eye: two terms of its radiance. */
+typedef struct sky_terms {
+    vec3 diffuse, mirrored;
+} sky_terms;
+
+TL_INLINE sky_terms sky_terms_of(tl_needs needs, substance m, received sum)
+{
+    const vec3 diffuse = diffuse_color(needs, m);
+    sky_terms terms = {{diffuse.x * sum.sky.x, diffuse.y * sum.sky.y, diffuse.z * sum.sky.z},
+                       {R(0.0), R(0.0), R(0.0)}};
+    if (mirrors_sky(needs)) {
+        const real f90 = grazing_reflectance(m.specular);
+        terms.mirrored.x =
+            mirror_color(needs, m, m.specular.x, m.diffuse.x, f90, sum) * sum.mirrored.x;
+        terms.mirrored.y =
+            mirror_color(needs, m, m.specular.y, m.diffuse.y, f90, sum) * sum.mirrored.y;
+        terms.mirrored.z =
+            mirror_color(needs, m, m.specular.z, m.diffuse.z, f90, sum) * sum.mirrored.z;
+    }
+    return terms;
+}
+
 /* What leaves a pixel towards the eye; the sky's radiance where nothing was hit. */
 TL_INLINE vec3
 radiance_of(const tl_frame *frame, tl_needs needs, pixel of, substance m, received sum)
 {
     const vec3 lobe = lobe_color(needs, m), diffuse = diffuse_color(needs, m);
     const real f90 = grazing_reflectance(m.specular);
+    const sky_terms sky = sky_terms_of(needs, m, sum);
     const vec3 lit = {
         channel_of(
             needs, diffuse.x, sum.diffuse.x, lobe.x, sum.specular.x, f90, sum.grazing.x,
             ambient_of(needs, of.albedo.x, frame->ambient[0], sum.ambient.x, of.occlusion),
-            of.emissive.x),
+            sky.diffuse.x + sky.mirrored.x, of.emissive.x),
         channel_of(
             needs, diffuse.y, sum.diffuse.y, lobe.y, sum.specular.y, f90, sum.grazing.y,
             ambient_of(needs, of.albedo.y, frame->ambient[1], sum.ambient.y, of.occlusion),
-            of.emissive.y),
+            sky.diffuse.y + sky.mirrored.y, of.emissive.y),
         channel_of(
             needs, diffuse.z, sum.diffuse.z, lobe.z, sum.specular.z, f90, sum.grazing.z,
             ambient_of(needs, of.albedo.z, frame->ambient[2], sum.ambient.z, of.occlusion),
-            of.emissive.z)};
+            sky.diffuse.z + sky.mirrored.z, of.emissive.z)};
     const mask hit = of.depth < (real)INFINITY;
     const vec3 radiance = {pick(hit, lit.x, (scalar)frame->sky[0]),
                            pick(hit, lit.y, (scalar)frame->sky[1]),
@@ -197,7 +241,8 @@ TL_INLINE vec3 ambient_term(const tl_frame *frame, tl_needs needs, pixel of, rec
  *
  * With one colour (needs.h) and n lights on the pixel P has both lobes in one sum. It rounds once for a light's
  * factor, n times for their sum and once for the product with the surface's colour; so do terms apart; and P
- * twice more for what joins it: (2n + 6)u T. tests/test_split_terms.c asserts it on every pixel. */
+ * twice more for what joins it: (2n + 6)u T. A sky's light is two terms more, which are added to each other before
+ * they join P: 2u T. tests/test_split_terms.c asserts it on every pixel. */
 TL_INLINE vec3 surface_term(
     const tl_frame *frame, tl_needs needs, tl_u32 term, pixel of, substance m, received sum)
 {
@@ -210,6 +255,10 @@ TL_INLINE vec3 surface_term(
         t = specular_term(needs, m, sum);
     if (term == TL_AOV_AMBIENT && needs.ambient)
         t = ambient_term(frame, needs, of, sum);
+    if (term == TL_AOV_SKY_DIFFUSE && lit_by_sky(needs))
+        t = sky_terms_of(needs, m, sum).diffuse;
+    if (term == TL_AOV_SKY_SPECULAR && mirrors_sky(needs))
+        t = sky_terms_of(needs, m, sum).mirrored;
     if (term == TL_AOV_EMISSIVE && reads_planes(needs, TL_GROUP_EMISSIVE))
         t = of.emissive;
     const vec3 cut = {at_most_largest(t.x), at_most_largest(t.y), at_most_largest(t.z)};

@@ -42,6 +42,7 @@ __kernel void probe_layout(__global uint *out)
     out[n++] = OFFSET(frame, surroundings_at);
     out[n++] = OFFSET(frame, exponent);
     out[n++] = OFFSET(frame, is_layer);
+    out[n++] = OFFSET(frame, sky_light_at);
     out[n++] = sizeof(tl_view_light);
     out[n++] = OFFSET(light, position);
     out[n++] = OFFSET(light, range2);

@@ -46,6 +46,7 @@ __kernel void shade_pixels(const tl_frame frame,
         for (uint i = starts[tile]; i < ends[tile]; i++)
             sum = add_any_light(sum, &frame, needs, lights, s, f, lights[list[i]],
                                 spot_of(needs, lights, frame.light_count, list[i]), 0);
+        sum = add_sky(sum, &frame, needs, lights, s, m, in.occlusion);
     }
     const vec3 out =
         seen_radiance(&frame, needs, lights, in.depth, radiance_of(&frame, needs, in, m, sum),

@@ -245,12 +245,13 @@ TL_INLINE vec3 lit_block(const tl_frame *frame,
         load_some_words(&layout, words_there, planes, plane_size, at, frame->pitch);
     const pixel to_finish = pixel_of(needs, &layout, &before, -s.position.z);
     const finish f = finish_of(needs, s, substance_at(frame, needs, to_finish, rows));
-    const received sum = lit_by(frame, needs, s, f, by);
+    received sum = lit_by(frame, needs, s, f, by);
     const tl_words words =
         load_some_words(&layout, words_there, planes, plane_size, at, frame->pitch);
     pixel in = pixel_of(needs, &layout, &words, -s.position.z);
     in.occlusion = ambient_share(frame, needs, (tl_numbers)by.lights, in.occlusion, at);
     const substance m = substance_at(frame, needs, in, rows);
+    sum = add_sky(sum, frame, needs, by.lights, s, m, in.occlusion);
     store_surface_terms(frame, needs, in, m, sum, radiance, at);
     return radiance_of(frame, needs, in, m, sum);
 }

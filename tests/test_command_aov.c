@@ -29,8 +29,9 @@ static void layers_are_written(void **state)
     (void)state;
     expect_run(RENDER "--aov all -o all.exr --json", 0,
                "\"aovs\": [\n"
-               "    \"diffuse\",\n    \"specular\",\n    \"ambient\",\n    \"emissive\",\n"
-               "    \"background\",\n    \"light_fill_left\",\n    \"light_key\",\n"
+               "    \"diffuse\",\n    \"specular\",\n    \"ambient\",\n    \"sky-diffuse\",\n"
+               "    \"sky-specular\",\n    \"emissive\",\n    \"background\",\n    "
+               "\"light_fill_left\",\n    \"light_key\",\n"
                "    \"rest\"\n  ]",
                "");
     expect_run("$T info all.exr", 0, "light_fill_left.R", "");
@@ -48,9 +49,10 @@ static void layers_are_written(void **state)
 static void what_cannot_be_is_refused(void **state)
 {
     (void)state;
-    expect_run(RENDER "--aov diffuse,glow -o x.exr", 2, "",
-               "--aov: no such layer \"glow\"; layers: diffuse, specular, ambient, emissive, "
-               "background, groups, all");
+    expect_run(
+        RENDER "--aov diffuse,glow -o x.exr", 2, "",
+        "--aov: no such layer \"glow\"; layers: diffuse, specular, ambient, sky-diffuse, "
+        "sky-specular, emissive, background, groups, all");
     expect_run(RENDER "--aov '' -o x.exr", 2, "", "--aov: no such layer \"\"");
     expect_run(RENDER "--aov diffuse, -o x.exr", 2, "", "--aov: no such layer \"\"");
     expect_run(RENDER "--aov diffuse -o x.png", 2, "",

@@ -43,6 +43,7 @@ static const struct {
     FIELD(tl_frame, surroundings_at),
     FIELD(tl_frame, exponent),
     FIELD(tl_frame, is_layer),
+    FIELD(tl_frame, sky_light_at),
     {"sizeof tl_view_light", sizeof(tl_view_light)},
     FIELD(tl_view_light, position),
     FIELD(tl_view_light, range2),

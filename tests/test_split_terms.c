@@ -217,6 +217,7 @@ static void assert_terms_say_something(const scene *s, const tl_image *image)
 {
     for (uint32_t term = 0; term < TL_AOV_COUNT; term++) {
         const int is_lacking = (term == TL_AOV_SPECULAR && s->specular == 0.0f) ||
+                               term == TL_AOV_SKY_DIFFUSE || term == TL_AOV_SKY_SPECULAR ||
                                (term == TL_AOV_EMISSIVE && !(s->material & TL_GROUP_EMISSIVE));
         double sum = 0.0;
         for (unsigned color = 0; color < 3; color++)

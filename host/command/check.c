@@ -255,7 +255,7 @@ static tl_status take_frame(const check_command *options,
     if (options->gbuffer) {
         TRY(job_read(j, options->gbuffer, &options->import, options->lighting.strict, err));
         TRY(unpack(j, options->gbuffer, err));
-        TRY(job_default_lights(j, err));
+        TRY(job_choose_lights(j, &options->lighting.sky, err));
         job_choose_occlusion(j, &options->lighting);
         *frame = (tl_checked_frame){.gbuffer = j->gbuffer,
                                     .lights = j->lights,

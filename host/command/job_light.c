@@ -31,14 +31,26 @@ done:
     return status;
 }
 
-tl_status job_default_lights(job *j, tl_error *err)
+static tl_status add_rig(job *j, tl_error *err)
 {
-    if (j->lights_given || job_has_lights(j))
-        return TL_OK;
     tl_notice(&console_notices,
               "no lights anywhere: a key light, a fill light and ambient light "
               "stand in; --lights FILE brings others");
     return tl_light_set_add_rig(&j->lights, &j->gbuffer->camera, err);
+}
+
+tl_status job_default_lights(job *j, tl_error *err)
+{
+    return j->lights_given || job_has_lights(j) ? TL_OK : add_rig(j, err);
+}
+
+tl_status job_choose_lights(job *j, const sky_choice *sky, tl_error *err)
+{
+    const bool had_lights = j->lights_given || job_has_lights(j);
+    const tl_status status = sky_choose(sky, &j->lights, err);
+    if (status != TL_OK || had_lights || tl_light_set_is_lit_by_sky(&j->lights))
+        return status;
+    return add_rig(j, err);
 }
 
 void job_choose_occlusion(job *j, const lighting_choice *choice)
@@ -118,7 +130,7 @@ tl_status job_light(job *j,
     options.keeps_tile_lights = told != NULL;
 
     console_stage("lighting");
-    TRY(job_default_lights(j, err));
+    TRY(job_choose_lights(j, &choice->sky, err));
     job_choose_occlusion(j, choice);
     tell_model(j);
     tell_layers(j, &options);

@@ -18,6 +18,10 @@ tl_status job_prepare_light(job *j,
 /* Adds a default rig, and says so, where neither a file nor the G-buffer brought lights. */
 tl_status job_default_lights(job *j, tl_error *err);
 
+/* The same, where no sky that was chosen lights the scene either; the job's sky becomes that one. Fails as
+ * sky_choose does too. */
+tl_status job_choose_lights(job *j, const sky_choice *sky, tl_error *err);
+
 /* The radius of ambient occlusion that was chosen, in place of the lights' own. */
 void job_choose_occlusion(job *j, const lighting_choice *choice);
 

@@ -44,7 +44,8 @@ static const uint32_t occlusion_samples[] = {TL_OCCLUSION_SAMPLES(SAMPLES)};
 lighting_choice lighting_choice_default(void)
 {
     return (lighting_choice){.options = tl_lighting_options_default(),
-                             .occlusion_radius = -1.0};
+                             .occlusion_radius = -1.0,
+                             .sky = sky_choice_default()};
 }
 
 static error_t parse(int key, char *text, struct argp_state *state)
@@ -96,7 +97,8 @@ static error_t parse(int key, char *text, struct argp_state *state)
         return 0;
     case ARGP_KEY_INIT:
         state->child_inputs[0] = &choice->strict;
-        state->child_inputs[1] = &options->approximations;
+        state->child_inputs[1] = &choice->sky;
+        state->child_inputs[2] = &options->approximations;
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
@@ -149,6 +151,7 @@ static const struct argp_option options_table[] = {
 
 static const struct argp_child children[] = {
     {&strict_argp, 0, NULL, 0},
+    {&sky_argp, 0, NULL, 0},
     {&approximation_argp, 0, "Accuracy for time (docs/approximations.md):", 0},
     {0},
 };

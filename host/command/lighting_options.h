@@ -2,6 +2,7 @@
 #ifndef TL_LIGHTING_OPTIONS_H
 #define TL_LIGHTING_OPTIONS_H
 
+#include "sky_options.h"
 #include "tilelight/lighting.h"
 
 #include <argp.h>
@@ -15,6 +16,7 @@ typedef struct lighting_choice {
         *chosen; /* an option that was given and that promises choose themselves; NULL: none */
     double occlusion_radius; /* m, of ambient occlusion; below 0: what the lights say */
     bool groups; /* groups of lights are written by themselves, as aov_options.h says */
+    sky_choice sky;
     bool strict; /* refuse pixels that would have to be repaired */
 } lighting_choice;
 

@@ -34,16 +34,18 @@ enum { TL_LIGHT_FIELD_COUNT = 18 };
 /* `type` itself is not among them: it decides which of them apply. */
 extern const tl_light_field tl_light_fields[TL_LIGHT_FIELD_COUNT];
 
+#define TL_ANY_SKY (-1)
+
 /* A field of the sky, whose `type` is none of them. */
 typedef struct tl_sky_field {
     const char *name;
-    tl_sky type; /* that has it */
+    int type; /* a tl_sky that has it, or TL_ANY_SKY */
     tl_field_kind kind;
     size_t offset; /* in tl_light_set */
     bool is_required;
 } tl_sky_field;
 
-enum { TL_SKY_FIELD_COUNT = 7 };
+enum { TL_SKY_FIELD_COUNT = 8 };
 extern const tl_sky_field tl_sky_fields[TL_SKY_FIELD_COUNT];
 
 #endif

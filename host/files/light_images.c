@@ -6,6 +6,7 @@
 #include "tilelight/image.h"
 #include "try.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -136,6 +137,28 @@ tl_status tl_light_image_read(const tl_place *at,
             return TL_OK;
         }
     return add_picture(at, field, name, set, out, err);
+}
+
+tl_status tl_light_set_read_sky(tl_light_set *set, const char *path, tl_error *err)
+{
+    const tl_place at = {.source = "the sky", .inside = ""};
+    char *const whole = realpath(path, NULL);
+    json_t *const name = json_string(whole ? whole : "");
+    uint32_t image = 0;
+    tl_status status = TL_OK;
+    if (!whole)
+        TRY(tl_fail(err, TL_ERR_READ, "the sky: %s: %s", path, strerror(errno)));
+    if (!name)
+        TRY(tl_fail(err, TL_ERR_FORMAT, "the sky: %s: this name is no UTF-8", path));
+    TRY(tl_light_image_read(&at, "image", name, set, &image, err));
+    set->sky_type = TL_SKY_IMAGE;
+    set->sky_image = image;
+    set->sky_intensity = 1.0f;
+    set->sky_rotation = 0.0f;
+done:
+    json_decref(name);
+    free(whole);
+    return status;
 }
 
 /* Whether two folders are one; NULL is the working directory. */

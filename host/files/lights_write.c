@@ -162,14 +162,15 @@ static void print_materials(FILE *out, const tl_light_set *set)
         fputs("\n  ]", out);
 }
 
-/* All fields of its type: none that may be left out is long. */
+/* All fields of its type, none of which is long; what every sky may have, where it has it. */
 static void print_sky(writing *w)
 {
     fprintf(w->out, "{ \"type\": \"%s\"", tl_sky_type_words[w->set->sky_type]);
     for (size_t i = 0; i < TL_SKY_FIELD_COUNT; i++) {
         const tl_sky_field *field = &tl_sky_fields[i];
         const void *at = (const char *)w->set + field->offset;
-        if (field->type != w->set->sky_type)
+        if (field->type == TL_ANY_SKY ? !(w->set->sky_light > 0.0f)
+                                      : field->type != (int)w->set->sky_type)
             continue;
         fprintf(w->out, ", \"%s\": ", field->name);
         if (field->kind == TL_FIELD_VECTOR)

@@ -15,6 +15,7 @@ const tl_sky_field tl_sky_fields[TL_SKY_FIELD_COUNT] = {
     {"image", TL_SKY_IMAGE, TL_FIELD_IMAGE, offsetof(tl_light_set, sky_image), true},
     {"intensity", TL_SKY_IMAGE, TL_FIELD_NUMBER, offsetof(tl_light_set, sky_intensity), false},
     {"rotation", TL_SKY_IMAGE, TL_FIELD_NUMBER, offsetof(tl_light_set, sky_rotation), false},
+    {"light", TL_ANY_SKY, TL_FIELD_NUMBER, offsetof(tl_light_set, sky_light), false},
 };
 
 static tl_status read_field(const tl_place *at,
@@ -43,7 +44,7 @@ static tl_status read_member(
         words[i + 1] = field->name;
         if (strcmp(key, field->name) != 0)
             continue;
-        if (field->type != set->sky_type)
+        if (field->type != TL_ANY_SKY && field->type != (int)set->sky_type)
             return tl_fail(err, TL_ERR_FORMAT,
                            "%s:%s a sky of type \"%s\" has no \"%s\"; remove it", at->source,
                            at->inside, tl_sky_type_words[set->sky_type], key);
@@ -68,7 +69,7 @@ tl_status tl_sky_read(const tl_place *at, json_t *sky, tl_light_set *set, tl_err
     set->sky_intensity = set->sky_type == TL_SKY_IMAGE ? 1.0f : 0.0f;
     json_object_foreach(sky, key, value) TRY(read_member(&inside, key, value, set, err));
     for (size_t i = 0; i < TL_SKY_FIELD_COUNT; i++)
-        if (tl_sky_fields[i].is_required && tl_sky_fields[i].type == set->sky_type &&
+        if (tl_sky_fields[i].is_required && tl_sky_fields[i].type == (int)set->sky_type &&
             !json_object_get(sky, tl_sky_fields[i].name))
             TRY(tl_fail(err, TL_ERR_FORMAT, "%s: a sky of type \"%s\" needs \"%s\"", at->source,
                         tl_sky_type_words[type], tl_sky_fields[i].name));

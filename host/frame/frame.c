@@ -10,6 +10,7 @@
 #include "sections.h"
 #include "shadow_sections.h"
 #include "shapes.h"
+#include "sky_light_section.h"
 #include "spot_cone.h"
 #include "surroundings.h"
 #include "tile_choices.h"
@@ -368,6 +369,8 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
                       prepared, err));
     if (!gbuffer->opacity)
         TRY(tl_sky_add(&gbuffer->camera, lights, prepared, err));
+    if (prepared->explanation.causes & TL_BY(TL_CAUSE_SKY_LIGHT))
+        TRY(tl_sky_light_add(&gbuffer->camera, lights, prepared, err));
     prepared->may_be_cut =
         prepared->brightness * (double)prepared->brightest_texel * TL_MOST_OF_LIGHT >
         0.5 * (double)TL_MOST_FLOAT;
@@ -410,6 +413,7 @@ size_t tl_prepared_buffer_size(const tl_prepared *prepared)
 
 void tl_prepared_clear(tl_prepared *prepared)
 {
+    tl_sky_map_release(prepared->sky_map);
     free(prepared->images_at);
     free(prepared->sources);
     free(prepared->light_causes);

@@ -5,6 +5,7 @@
 
 #include "frame.h"
 #include "needs.h"
+#include "sky_map.h"
 #include "tile_rect.h"
 
 #include "tilelight/approximations.h"
@@ -28,6 +29,7 @@ typedef struct tl_prepared {
     /* [images of the set], row of each that is in a section, else 0; owned */
     tl_u32 *images_at;
     size_t image_capacity;
+    tl_sky_map *sky_map; /* that lit the last frame; shared; NULL: none did */
     double brightness;     /* of all lights: the sum of the largest numbers of their colours */
     float brightest_texel; /* of pictures that are shown, and 1 at least */
     /* 0: whatever lobes make of it, light does not add up beyond the largest float (largest.h); else pixels

@@ -80,6 +80,8 @@ tl_explanation tl_causes_of_frame(const tl_gbuffer *gbuffer,
     e.is_dark = gbuffer->is_dark && !table->selects;
     if (is_lit_by(lights->ambient) && !e.is_dark)
         e.causes |= TL_BY(TL_CAUSE_AMBIENT);
+    if (tl_light_set_is_lit_by_sky(lights) && !e.is_dark) /* what dims ambient light, dims it too */
+        e.causes |= TL_BY(TL_CAUSE_SKY_LIGHT) | TL_BY(TL_CAUSE_AMBIENT);
     if (lights->occlusion_radius > 0.0f && !gbuffer->opacity)
         e.causes |= TL_BY(TL_CAUSE_RADIUS);
     if (tl_light_set_has_sky(lights) && !gbuffer->opacity)
@@ -265,6 +267,8 @@ void tl_needs_by_causes(tl_explanation *e, tl_needs *needs)
     needs->sky = is_on(e, TL_EFFECT_SKY_GRADIENT) ? TL_GRADIENT_SKY
                  : is_on(e, TL_EFFECT_SKY_IMAGE)  ? TL_IMAGE_SKY
                                                   : 0;
+    needs->sky_light = (is_on(e, TL_EFFECT_SKY_LIGHT) ? TL_SKY_DIFFUSE : 0u) |
+                       (is_on(e, TL_EFFECT_SKY_MIRRORED) ? TL_SKY_MIRRORED : 0u);
     needs->falloffs = 0;
     for (int row = 0; row < TL_FADE_COUNT; row++)
         if (is_on(e, falloff_effects[row]))

@@ -205,12 +205,19 @@ done:
     return status;
 }
 
-/* Upright, its middle towards -z, turned about the vertical. */
 static stand stand_of_sky(double rotation)
 {
     const double c = cos(rotation), s = sin(rotation);
     const stand of = {{c, 0.0, -s}, {0.0, 1.0, 0.0}, {-s, 0.0, -c}};
     return of;
+}
+
+void tl_sky_axes(double rotation, double axes[3][3])
+{
+    const stand s = stand_of_sky(rotation);
+    memcpy(axes[0], s.right, sizeof s.right);
+    memcpy(axes[1], s.up, sizeof s.up);
+    memcpy(axes[2], s.ahead, sizeof s.ahead);
 }
 
 tl_status tl_sky_add(const tl_camera *camera,

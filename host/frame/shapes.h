@@ -15,6 +15,10 @@ tl_status tl_shapes_add(const tl_gbuffer *gbuffer,
                         tl_prepared *prepared,
                         tl_error *err);
 
+/* Right, up and ahead of the sky's map in world space: upright, its middle towards -z, turned about the vertical
+ * by `rotation`, rad. */
+void tl_sky_axes(double rotation, double axes[3][3]);
+
 /* The sky's section, where it is not of one colour. Fails alike. */
 tl_status tl_sky_add(const tl_camera *camera,
                      const tl_light_set *lights,

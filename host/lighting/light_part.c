@@ -8,6 +8,7 @@ static tl_light_set lamps_of(const tl_light_set *from)
 {
     tl_light_set lamps = *from;
     memset(lamps.ambient, 0, sizeof lamps.ambient);
+    lamps.sky_light = 0.0f;
     memset(lamps.sky, 0, sizeof lamps.sky);
     lamps.sky_type = TL_SKY_CONSTANT;
     return lamps;

@@ -213,7 +213,8 @@ tl_kernel_options tl_lighting_kernels(const tl_lighting *lighting, const tl_need
                                .shapes = needs->shapes,
                                .sky = needs->sky,
                                .surroundings = needs->surroundings,
-                               .split = needs->split};
+                               .split = needs->split,
+                               .sky_light = needs->sky_light};
 }
 
 static void keep_programs(const tl_device *device,

@@ -25,6 +25,7 @@
 
 #include "allowance_map.h"
 #include "allowance_shadow.h"
+#include "allowance_sky.h"
 #include "occlusion.h"
 #include "ranges.h"
 #include "rough_lobes.h"
@@ -416,6 +417,8 @@ static rough_light light_on(const tl_prepared *prepared,
 typedef struct rough_material {
     interval diffuse[3], specular[3];
     interval grazing[3]; /* F90 - F0 */
+    interval mirror[3];  /* F0, as the model tints it */
+    interval f90;
     double exponent;
 } rough_material;
 
@@ -443,7 +446,7 @@ static rough_material rough_material_of(const tl_prepared *prepared, pixel in)
     const int specular_is_mixed = is_mapped(prepared, in, TL_TAKES_SPECULAR);
     const tl_u32 traits = traits_of(model_of(needs, &m));
     const interval f90 = tl_rough_f90(&m);
-    rough_material out = {.exponent = m.shininess};
+    rough_material out = {.exponent = m.shininess, .f90 = f90};
     for (int i = 0; i < 3; i++) {
         out.diffuse[i] =
             around(diffuse[i], diffuse_is_mixed ? 2.0 * U * diffuse[i] + flushed : 0.0);
@@ -458,6 +461,8 @@ static rough_material rough_material_of(const tl_prepared *prepared, pixel in)
                                         clamp_low(f90.high - specular[i] + f0_off + U)};
         out.specular[i] = lobe_factors(traits, exponent_of(prepared, in, m.shininess),
                                        around(specular[i], f0_off), out.diffuse[i]);
+        out.mirror[i] = lobe_factors(traits & ~(tl_u32)TL_LOBE_ENERGY, (interval){0.0, 0.0},
+                                     around(specular[i], f0_off), out.diffuse[i]);
     }
     return out;
 }
@@ -549,6 +554,33 @@ static void add_unlit(const tl_prepared *prepared, pixel in, interval sum[3])
     }
 }
 
+/* Diffuse light of the sky, and what is mirrored of it: radiance_of's terms. */
+static void add_sky_light(const tl_prepared *prepared,
+                          pixel in,
+                          const rough_material *m,
+                          const rough_surface *s,
+                          interval sum[3])
+{
+    if (!lit_by_sky(prepared->needs))
+        return;
+    const rough_sky sky = tl_rough_sky(prepared, s, in.occlusion, m->f90);
+    for (int i = 0; i < 3; i++) {
+        interval share = times(m->mirror[i], sky.base);
+        if (s->traits & TL_LOBE_GRAZING) {
+            const interval rest = times(m->grazing[i], sky.grazing);
+            share = rounded((interval){share.low + rest.low, share.high + rest.high}, 2.0);
+        }
+        if (!(s->traits & TL_LOBE_SPECULAR))
+            share = (interval){0.0, 0.0};
+        const interval diffuse = times(m->diffuse[i], sky.diffuse[i]),
+                       mirrored = times(share, sky.mirrored[i]);
+        const interval both = rounded(
+            (interval){diffuse.low + mirrored.low, diffuse.high + mirrored.high}, 4.0);
+        sum[i].low += both.low;
+        sum[i].high += both.high;
+    }
+}
+
 /* The frame as this pixel has it: of the one model that its row names. */
 static tl_prepared prepared_at(const tl_prepared *prepared, pixel in)
 {
@@ -604,6 +636,7 @@ tl_allowance tl_allowance_of(const tl_prepared *prepared,
         }
     }
     add_unlit(prepared, in, sum);
+    add_sky_light(&own, in, &material, &s, sum);
     tl_allowance out = {.expected = {expected.x, expected.y, expected.z}, .certain = certain};
     for (int i = 0; i < 3; i++) {
         const interval light = summed((interval){0.0, arriving[i]}, terms);

@@ -29,6 +29,7 @@ received_of(const tl_prepared *prepared, light_choice lights, pixel in, surface 
             sum = add_any_light(sum, frame, needs, prepared->lights, s, f, prepared->lights[i],
                                 prepared->spots[i], i < frame->global_count);
         }
+        sum = add_sky(sum, frame, needs, prepared->lights, s, m, in.occlusion);
     }
     return sum;
 }

@@ -90,6 +90,11 @@ int tl_light_set_has_sky(const tl_light_set *set)
     return 0;
 }
 
+int tl_light_set_is_lit_by_sky(const tl_light_set *set)
+{
+    return set->sky_light > 0.0f && tl_light_set_has_sky(set);
+}
+
 void tl_light_resources_clear(tl_light_set *set)
 {
     for (size_t i = 0; i < set->table_count; i++)
@@ -204,6 +209,9 @@ tl_status tl_light_sky_check(const tl_light_set *set, const char *source, tl_err
     if ((unsigned)set->sky_type >= TL_SKY_COUNT)
         return tl_fail(err, TL_ERR_FORMAT, "%s: there is no kind of sky %u", source,
                        (unsigned)set->sky_type);
+    if (!(set->sky_light >= 0.0f && set->sky_light <= TL_BRIGHTEST))
+        return tl_fail(err, TL_ERR_FORMAT, "%s: sky: light is %g, it must be from 0 to %g",
+                       source, (double)set->sky_light, (double)TL_BRIGHTEST);
     if (set->sky_type != TL_SKY_IMAGE)
         return TL_OK;
     if (set->sky_image == 0 || set->sky_image > set->image_count)

@@ -48,6 +48,7 @@ typedef enum tl_cause_kind {
     X(TL_CAUSE_SKY, TL_CAUSE_OF_FRAME, "colour of the sky")                                \
     X(TL_CAUSE_SKY_GRADIENT, TL_CAUSE_OF_FRAME, "gradient of the sky")                     \
     X(TL_CAUSE_SKY_IMAGE, TL_CAUSE_OF_FRAME, "image of the sky")                           \
+    X(TL_CAUSE_SKY_LIGHT, TL_CAUSE_OF_FRAME, "light of the sky on surfaces")               \
     X(TL_CAUSE_MODEL, TL_CAUSE_OF_FRAME, "shading model other than phong")                 \
     X(TL_CAUSE_ROWS, TL_CAUSE_OF_FRAME, "row of materials for an index of the capture")    \
     X(TL_CAUSE_SHINY, TL_CAUSE_OF_FRAME, "shading model with highlights")                  \
@@ -135,6 +136,11 @@ typedef char tl_causes_fit[TL_CAUSE_COUNT <= 64 ? 1 : -1];
       TL_BY(TL_CAUSE_SKY_GRADIENT), 0, "TL_SKY")                                               \
     X(TL_EFFECT_SKY_IMAGE, "sky-image", "a map of the whole sky", TL_BY(TL_CAUSE_SKY_IMAGE),   \
       0, "TL_SKY")                                                                             \
+    X(TL_EFFECT_SKY_LIGHT, "sky-light", "the sky's light on surfaces, diffuse",                \
+      TL_BY(TL_CAUSE_SKY_LIGHT), 0, "TL_SKY_LIGHT")                                            \
+    X(TL_EFFECT_SKY_MIRRORED, "sky-reflection", "the sky, mirrored by surfaces that are glossy", \
+      TL_BY(TL_CAUSE_SKY_LIGHT) | TL_BY(TL_CAUSE_GLOSS) | TL_BY(TL_CAUSE_SHINY),               \
+      TL_GROUP_PHONG | TL_GROUP_METAL_ROUGH, "TL_SKY_LIGHT")                                   \
     X(TL_EFFECT_TRANSLUCENCY, "translucency",                                                  \
       "layers that blend, each lit as the surfaces behind them are", TL_BY(TL_CAUSE_BLENDED),  \
       0, "blend_layer")                                                                        \

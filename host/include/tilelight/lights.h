@@ -124,6 +124,7 @@ typedef struct tl_light_set {
     uint32_t sky_image;
     float sky_intensity;         /* that the image is multiplied with, >= 0 */
     float sky_rotation;          /* rad, of the image, anticlockwise as seen from above */
+    float sky_light; /* what of the sky's radiance lights surfaces, >= 0; 0: it is background alone */
     enum tl_shading_model model; /* how surfaces reflect */
     int has_shininess;           /* 1: all surfaces have this exponent in place of their own */
     float shininess;             /* 0 to 10000 */
@@ -171,6 +172,9 @@ tl_status tl_light_set_add_image(tl_light_set *set,
 /* Whether it shows something where nothing was hit. */
 int tl_light_set_has_sky(const tl_light_set *set);
 
+/* Whether it shines on surfaces. */
+int tl_light_set_is_lit_by_sky(const tl_light_set *set);
+
 /* Leaves an empty set. Accepts an empty one. */
 void tl_light_set_clear(tl_light_set *set);
 
@@ -196,6 +200,11 @@ tl_status tl_lights_parse(const char *text,
                           const char *file,
                           tl_light_set *set,
                           tl_error *err);
+
+/* Makes the picture in `path`, relative to the working directory, the sky of the set, in place of what it has: a
+ * map with intensity 1, not turned, whose light is left as it is. Where it is written, its path is absolute. Fails
+ * with the status of what is wrong with it, in a sentence that names it, or TL_ERR_MEMORY. */
+tl_status tl_light_set_read_sky(tl_light_set *set, const char *path, tl_error *err);
 
 /* The same set as text that tl_lights_parse reads back bit for bit. Images are named as they are in the
  * set, or by absolute paths where `file` (NULL: the working directory), which the text is for, lies in

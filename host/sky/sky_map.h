@@ -1,0 +1,32 @@
+/* A sky as it lights surfaces, prepared once for all frames under it. */
+#ifndef TL_SKY_MAP_H
+#define TL_SKY_MAP_H
+
+#include "sky_moments.h"
+#include "sky_tree.h"
+
+/* Without the set's rotation, nor, of an image, its intensity. Axes are right, up and ahead. */
+typedef struct tl_sky_map {
+    tl_sky_moments moments[3]; /* a channel each */
+    uint32_t size;             /* of the finest level, texels */
+    size_t texel_count;
+    float (*texels)[4]; /* [texel_count], of all levels: sky_prefilter.h; owned */
+    float brightest;    /* of them */
+    double seconds;     /* that it took to make */
+} tl_sky_map;
+
+/* The finest level's side at most, texels: 0.35 degrees each on average. */
+#define TL_SKY_MOST_SIZE 512
+
+/* Makes it, or finds it again where the last one that was made in this process is of the same sky. *out is
+ * shared: give it back with tl_sky_map_release. Fails with TL_ERR_MEMORY. */
+tl_status tl_sky_map_of(const tl_light_set *set, tl_sky_map **out, tl_error *err);
+
+/* Accepts NULL. */
+void tl_sky_map_release(tl_sky_map *map);
+
+/* The light of the set's sky, by direction, with `depth` levels: for integrals without a map of levels. As
+ * tl_sky_tree_make. */
+tl_status tl_sky_tree_of(const tl_light_set *set, unsigned depth, tl_sky_tree *out, tl_error *err);
+
+#endif
