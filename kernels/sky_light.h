@@ -88,9 +88,10 @@ TL_INLINE vec3 level_mix(tl_numbers numbers, tl_sky_light_at sky, integer level,
     real of[3];
     for (int c = 0; c < 3; c++) {
         const integer at = corner + c;
-        of[c] = mixed(mixed(GATHER(texels, at), GATHER(texels, at + 4), x.share),
-                      mixed(GATHER(texels, at + below), GATHER(texels, at + below + 4), x.share),
-                      y.share);
+        of[c] =
+            mixed(mixed(GATHER(texels, at), GATHER(texels, at + 4), x.share),
+                  mixed(GATHER(texels, at + below), GATHER(texels, at + below + 4), x.share),
+                  y.share);
     }
     const vec3 color = {of[0], of[1], of[2]};
     return color;
@@ -112,7 +113,8 @@ TL_INLINE vec3 sky_mirrored(tl_numbers numbers, tl_sky_light_at sky, vec3 d, rea
         pair_clamped(roughness * TL_SKY_LAST_LEVEL, TL_SKY_LAST_LEVEL + R(1.0));
     const vec3 sharp = level_mix(numbers, sky, TO_INTEGER(level.first), e);
     const vec3 soft = level_mix(numbers, sky, TO_INTEGER(level.second), e);
-    const vec3 color = {mixed(sharp.x, soft.x, level.share), mixed(sharp.y, soft.y, level.share),
+    const vec3 color = {mixed(sharp.x, soft.x, level.share),
+                        mixed(sharp.y, soft.y, level.share),
                         mixed(sharp.z, soft.z, level.share)};
     return color;
 }
@@ -123,8 +125,10 @@ typedef struct sky_shares {
 } sky_shares;
 
 /* eye: |n.v|. */
-TL_INLINE sky_shares
-sky_shares_of(tl_numbers numbers, tl_sky_light_at sky, real eye, real roughness)
+TL_INLINE sky_shares sky_shares_of(tl_numbers numbers,
+                                   tl_sky_light_at sky,
+                                   real eye,
+                                   real roughness)
 {
     const tl_numbers table = numbers + (size_t)sky->table_at * 4;
     const texel_pair x = pair_clamped(SQRT(eye) * TL_SKY_LAST_ENTRY, R(32.0));
@@ -134,11 +138,10 @@ sky_shares_of(tl_numbers numbers, tl_sky_light_at sky, real eye, real roughness)
                   below = TO_INTEGER(y.second) * (4 * TL_SKY_TABLE);
     real of[3];
     for (int i = 0; i < 3; i++)
-        of[i] = mixed(mixed(GATHER(table, above + near + i), GATHER(table, above + far + i),
-                            x.share),
-                      mixed(GATHER(table, below + near + i), GATHER(table, below + far + i),
-                            x.share),
-                      y.share);
+        of[i] = mixed(
+            mixed(GATHER(table, above + near + i), GATHER(table, above + far + i), x.share),
+            mixed(GATHER(table, below + near + i), GATHER(table, below + far + i), x.share),
+            y.share);
     const sky_shares shares = {of[0], of[1], of[2]};
     return shares;
 }

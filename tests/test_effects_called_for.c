@@ -33,7 +33,7 @@ typedef struct scene {
     const char *name;
     uint32_t present, neutral;
     lamp lamps[2]; /* intensity 0 and no diffuse: no lamp */
-    float ambient, radius, sky;
+    float ambient, radius, sky, sky_light;
     int has_shininess;
     tl_sky sky_type;
     enum tl_shading_model model;
@@ -51,7 +51,7 @@ typedef struct scene {
     uint32_t effects; /* expected: all of them */
     struct {
         tl_u32 falloffs, spots, specular, ambient, orthographic, one_color, idle,
-            fixed_exponent, shapes, sky, surroundings;
+            fixed_exponent, shapes, sky, surroundings, sky_light;
     } needs;                                         /* expected */
     uint32_t light_count, idle[TL_IDLE_LIGHT_COUNT]; /* expected */
 } scene;
@@ -166,6 +166,13 @@ static const scene minimal[TL_EFFECT_COUNT] = {
                                 .needs = {.ambient = 1, .surroundings = 1}},
     [TL_EFFECT_EMISSION] = {"emission", EMISSION, .effects = ON(EMISSION)},
     [TL_EFFECT_SKY] = {"a sky", TL_GROUP_BASE, .sky = 0.5f, .effects = ON(SKY)},
+    [TL_EFFECT_SKY_LIGHT] = {"a sky that lights", TL_GROUP_BASE, .sky = 0.5f, .sky_light = 1.0f,
+                             .effects = ON(SKY) | ON(SKY_LIGHT) | ON(AMBIENT),
+                             .needs = {.ambient = 1, .sky_light = TL_SKY_DIFFUSE}},
+    [TL_EFFECT_SKY_MIRRORED] =
+        {"specular colours under a sky that lights", PHONG, .sky = 0.5f, .sky_light = 1.0f,
+         .effects = ON(SKY) | ON(SKY_LIGHT) | ON(SKY_MIRRORED) | ON(AMBIENT),
+         .needs = {.ambient = 1, .sky_light = TL_SKY_DIFFUSE | TL_SKY_MIRRORED}},
     [TL_EFFECT_TRANSLUCENCY] = {"a layer", TL_GROUP_BASE, .layers = 1,
                                 .effects = ON(TRANSLUCENCY)},
     [TL_EFFECT_PARALLEL] = {"parallel rays", TL_GROUP_BASE, .projection = TL_ORTHOGRAPHIC,
@@ -177,6 +184,9 @@ static const scene others[] = {
     {"a layer that is not lit", TL_GROUP_BASE, .layers = 1, .without_layers = 1},
     {"nothing at all", TL_GROUP_BASE, .effects = 0},
     {"a radius without ambient light", TL_GROUP_BASE, .radius = 0.5f, .effects = 0},
+    {"a sky that would light, and is black", TL_GROUP_BASE, .sky_light = 1.0f, .effects = 0},
+    {"a sky that lights what reflects nothing", TL_GROUP_BASE, .is_dark = 1, .sky = 0.5f,
+     .sky_light = 1.0f, .effects = ON(SKY)},
     {"a radius where nothing reflects", TL_GROUP_BASE, .is_dark = 1, .ambient = 0.1f,
      .radius = 0.5f, .effects = 0},
     {"a model without highlights", PHONG, .model = TL_MODEL_LAMBERT,
@@ -371,6 +381,7 @@ static tl_prepared prepared_of(const scene *s)
     lights.ambient[1] = s->ambient;
     lights.occlusion_radius = s->radius;
     lights.sky_type = s->sky_type;
+    lights.sky_light = s->sky_light;
     lights.sky[2] = s->sky_type == TL_SKY_IMAGE ? 0.0f : s->sky;
     lights.sky_intensity = s->sky_type == TL_SKY_IMAGE ? s->sky : 0.0f;
     if (s->sky_type == TL_SKY_IMAGE)
@@ -425,16 +436,17 @@ static void expect(const scene *s)
                             .idle = s->needs.idle,
                             .shapes = s->needs.shapes,
                             .sky = s->needs.sky,
-                            .surroundings = s->needs.surroundings};
+                            .surroundings = s->needs.surroundings,
+                            .sky_light = s->needs.sky_light};
     expect_effects(s, p.explanation.effects);
     if (memcmp(&p.needs, &needs, sizeof needs) != 0)
         fail_msg(
             "%s: kernels are built for something else: falloffs %x, spots %u, specular %u, "
             "ambient %u, orthographic %u, one_color %u, idle %x, shapes %x, sky %u, "
-            "surroundings %u",
+            "surroundings %u, sky_light %u",
             s->name, p.needs.falloffs, p.needs.spots, p.needs.specular, p.needs.ambient,
             p.needs.orthographic, p.needs.one_color, p.needs.idle, p.needs.shapes, p.needs.sky,
-            p.needs.surroundings);
+            p.needs.surroundings, p.needs.sky_light);
     if (p.frame.light_count != s->light_count)
         fail_msg("%s: %u lights", s->name, p.frame.light_count);
     for (int i = 0; i < TL_IDLE_LIGHT_COUNT; i++)

@@ -134,6 +134,12 @@ static const struct {
          "\"ground\": [0, 0, 0] }"),
      TL_ERR_FORMAT,
      {"sky: zenith[1] is -1, it must be from 0 to 1e+30"}},
+    {FILE_WITH("\"sky\": { \"type\": \"constant\", \"color\": [1, 1, 1], \"light\": -1 }"),
+     TL_ERR_FORMAT,
+     {"sky: light is -1, it must be from 0 to 1e+30"}},
+    {FILE_WITH("\"sky\": { \"type\": \"constant\", \"color\": [1, 1, 1], \"light\": true }"),
+     TL_ERR_FORMAT,
+     {"\"light\""}},
     {FILE_WITH("\"sky\": { \"type\": \"latlong\" }"), TL_ERR_FORMAT, {"latlong", "\"image\""}},
 
     /* Missing, or where it does not belong. */

@@ -95,6 +95,7 @@ static void assert_same_lights(const tl_light_set *a, const tl_light_set *b)
     assert_true(same_bits(a->occlusion_radius, b->occlusion_radius));
     assert_int_equal(a->sky_type, b->sky_type);
     assert_memory_equal(a->sky, b->sky, sizeof a->sky);
+    assert_true(same_bits(a->sky_light, b->sky_light));
     assert_memory_equal(a->zenith, b->zenith, sizeof a->zenith);
     assert_memory_equal(a->ground, b->ground, sizeof a->ground);
     assert_int_equal(a->table_count, b->table_count);
@@ -127,7 +128,8 @@ static void bit_for_bit(void **state)
     tl_error err;
     tl_light_set set = {.ambient = {0.1f, 1e-40f, 3.0f},
                         .occlusion_radius = 0.3f,
-                        .sky = {0.7f, 0.0f, 1e29f}},
+                        .sky = {0.7f, 0.0f, 1e29f},
+                        .sky_light = 0.35f},
                  back = {0};
     set.model = TL_MODEL_BLINN_PHONG_NORMALIZED;
     set.has_shininess = 1;

@@ -40,7 +40,8 @@ typedef struct results {
 static results results_of(tl_needs needs, const tl_words *words)
 {
     const tl_layout *layout = &tl_layouts[needs.layout];
-    const received light = {{1, 2, 3}, {3, 2, 1}, {0, 0, 0}, {2, 1, 3}, {0, 0, 0}};
+    const received light = {
+        .diffuse = {1, 2, 3}, .specular = {3, 2, 1}, .ambient = {2, 1, 3}};
     const vec3 p = position_of(&frame, needs, layout, words, 17, 4);
     const surface s = unpacked_surface(&frame, needs, layout, words, NULL, 17, 4);
     const pixel in = pixel_of(needs, layout, words, 5.0f);

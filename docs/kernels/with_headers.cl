@@ -86,6 +86,7 @@ __kernel void shade_in_batches(const tl_frame frame,
             sum = add_ranged_light(sum, needs, s, f, batch[i], cones[i]);
     }
 
+    sum = add_sky(sum, &frame, needs, lights, s, material, in.occlusion);
     const vec3 out = radiance_of(&frame, needs, in, material, sum);
     radiance[at] = out.x;
     radiance[plane_size + at] = out.y;

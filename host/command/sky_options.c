@@ -40,11 +40,13 @@ static const struct argp_option options_table[] = {
      "surfaces, in place of the lights' own; none: no sky",
      0},
     {"sky-intensity", OPTION_INTENSITY, "SCALE", 0,
-     "What the sky's radiance is multiplied with, as it is seen and as it lights (default: what the "
+     "What the sky's radiance is multiplied with, as it is seen and as it lights (default: "
+     "what the "
      "lights say, 1 with --sky)",
      0},
     {"sky-rotation", OPTION_ROTATION, "DEGREES", 0,
-     "Turns the map anticlockwise as seen from above (default: what the lights say, 0 with --sky)",
+     "Turns the map anticlockwise as seen from above (default: what the lights say, 0 with "
+     "--sky)",
      0},
     {"sky-light", OPTION_LIGHT, "SCALE", 0,
      "What of the sky's radiance lights surfaces; 0: it is background alone (default: what the "
@@ -81,13 +83,14 @@ static void brighten(tl_light_set *lights, double by)
 
 static tl_status check_use(const sky_choice *choice, const tl_light_set *lights, tl_error *err)
 {
-    const char *const given = choice->intensity >= 0.0  ? "--sky-intensity"
-                              : choice->light >= 0.0    ? "--sky-light"
+    const char *const given = choice->intensity >= 0.0   ? "--sky-intensity"
+                              : choice->light >= 0.0     ? "--sky-light"
                               : !isnan(choice->rotation) ? "--sky-rotation"
                                                          : NULL;
     if (given && !tl_light_set_has_sky(lights))
         return tl_fail(err, TL_ERR_ARGUMENT,
-                       "%s is for nothing: the lights have no sky; --sky FILE brings one", given);
+                       "%s is for nothing: the lights have no sky; --sky FILE brings one",
+                       given);
     if (!isnan(choice->rotation) && lights->sky_type != TL_SKY_IMAGE)
         return tl_fail(err, TL_ERR_ARGUMENT,
                        "--sky-rotation is for nothing: a sky of colours alone is the same all "

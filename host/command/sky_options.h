@@ -8,9 +8,11 @@
 #include <argp.h>
 
 typedef struct sky_choice {
-    const char *image; /* a map of latitude and longitude; "none": no sky; NULL: what the lights say */
-    double intensity, light; /* below 0: what the lights say, but for a map that is chosen here: 1 */
-    double rotation;         /* degrees; NAN alike, but 0 */
+    const char
+        *image; /* a map of latitude and longitude; "none": no sky; NULL: what the lights say */
+    double intensity,
+        light;       /* below 0: what the lights say, but for a map that is chosen here: 1 */
+    double rotation; /* degrees; NAN alike, but 0 */
 } sky_choice;
 
 sky_choice sky_choice_default(void);

@@ -80,7 +80,8 @@ tl_explanation tl_causes_of_frame(const tl_gbuffer *gbuffer,
     e.is_dark = gbuffer->is_dark && !table->selects;
     if (is_lit_by(lights->ambient) && !e.is_dark)
         e.causes |= TL_BY(TL_CAUSE_AMBIENT);
-    if (tl_light_set_is_lit_by_sky(lights) && !e.is_dark) /* what dims ambient light, dims it too */
+    if (tl_light_set_is_lit_by_sky(lights) &&
+        !e.is_dark) /* what dims ambient light, dims it too */
         e.causes |= TL_BY(TL_CAUSE_SKY_LIGHT) | TL_BY(TL_CAUSE_AMBIENT);
     if (lights->occlusion_radius > 0.0f && !gbuffer->opacity)
         e.causes |= TL_BY(TL_CAUSE_RADIUS);

@@ -18,11 +18,8 @@ static float cut(double light)
     return light < (double)TL_BRIGHTEST ? (float)light : TL_BRIGHTEST;
 }
 
-static tl_status add_texels(const tl_sky_map *map,
-                            double scale,
-                            tl_prepared *prepared,
-                            tl_u32 *at,
-                            tl_error *err)
+static tl_status add_texels(
+    const tl_sky_map *map, double scale, tl_prepared *prepared, tl_u32 *at, tl_error *err)
 {
     void *memory = NULL;
     const tl_status status =

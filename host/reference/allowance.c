@@ -574,8 +574,8 @@ static void add_sky_light(const tl_prepared *prepared,
             share = (interval){0.0, 0.0};
         const interval diffuse = times(m->diffuse[i], sky.diffuse[i]),
                        mirrored = times(share, sky.mirrored[i]);
-        const interval both = rounded(
-            (interval){diffuse.low + mirrored.low, diffuse.high + mirrored.high}, 4.0);
+        const interval both =
+            rounded((interval){diffuse.low + mirrored.low, diffuse.high + mirrored.high}, 4.0);
         sum[i].low += both.low;
         sum[i].high += both.high;
     }

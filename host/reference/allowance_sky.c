@@ -139,9 +139,8 @@ static interval mirrored_channel(
         most = fmax(most, seen.high);
     }
     const double error = off * differ + 3.0 * U * most + flushed;
-    return (interval){
-        clamp_low(of[0].low * (1.0 - share) + of[1].low * share - error),
-        of[0].high * (1.0 - share) + of[1].high * share + error};
+    return (interval){clamp_low(of[0].low * (1.0 - share) + of[1].low * share - error),
+                      of[0].high * (1.0 - share) + of[1].high * share + error};
 }
 
 /* sky_roughness: roots, 9u, and alpha^2, a quarter of what that is off; the difference and its product. */
@@ -229,9 +228,9 @@ rough_sky tl_rough_sky(const tl_prepared *prepared,
     const interval y = on_table(roughness, off);
     const vec3 against = {-v.x, -v.y, -v.z};
     const vec3 d = fma3(n, 2.0 * n_dot_v, against);
-    const vec2 e = octahedron_of((vec3){dot3(d, sky_axis(sky->right)),
-                                        dot3(d, sky_axis(sky->ahead)),
-                                        dot3(d, sky_axis(sky->up))});
+    const vec2 e =
+        octahedron_of((vec3){dot3(d, sky_axis(sky->right)), dot3(d, sky_axis(sky->ahead)),
+                             dot3(d, sky_axis(sky->up))});
     const interval share = share_of_mirrored(arrives, cosine, alpha2);
     const double last = (double)(TL_SKY_LEVELS - 1);
     out.base = share_over(prepared, x, y, 0);

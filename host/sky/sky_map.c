@@ -22,15 +22,17 @@ static held_map *last; /* one of its holders is this */
 static XXH128_hash_t key_of(const tl_sky_source *source)
 {
     const XXH64_hash_t extent = (XXH64_hash_t)source->width << 32 | source->height;
-    return XXH3_128bits_withSeed(
-        source->pixels, 3 * sizeof(float) * source->width * source->height, extent);
+    return XXH3_128bits_withSeed(source->pixels,
+                                 3 * sizeof(float) * source->width * source->height, extent);
 }
 
-/* Texels of a level and of the map are about as wide, and as tall. */
+/* Texels of the finest level are narrower than those of the map; gradients have nothing that is narrow. */
 static uint32_t size_for(const tl_sky_source *source)
 {
-    uint32_t size = 64;
-    while (size < TL_SKY_MOST_SIZE && 2 * size < 3 * source->height)
+    uint32_t size = TL_SKY_LEAST_SIZE;
+    if (source->own)
+        return size;
+    while (size < TL_SKY_MOST_SIZE && 2 * size < 5 * source->height)
         size *= 2;
     return size;
 }
@@ -125,7 +127,10 @@ void tl_sky_map_release(tl_sky_map *map)
     pthread_mutex_unlock(&lock);
 }
 
-tl_status tl_sky_tree_of(const tl_light_set *set, unsigned depth, tl_sky_tree *out, tl_error *err)
+tl_status tl_sky_tree_of(const tl_light_set *set,
+                         unsigned depth,
+                         tl_sky_tree *out,
+                         tl_error *err)
 {
     tl_sky_source source = {0};
     tl_status status = TL_OK;

@@ -17,6 +17,7 @@ typedef struct tl_sky_map {
 
 /* The finest level's side at most, texels: 0.35 degrees each on average. */
 #define TL_SKY_MOST_SIZE 512
+#define TL_SKY_LEAST_SIZE 128 /* of a map of few texels, and of gradients */
 
 /* Makes it, or finds it again where the last one that was made in this process is of the same sky. *out is
  * shared: give it back with tl_sky_map_release. Fails with TL_ERR_MEMORY. */
@@ -27,6 +28,9 @@ void tl_sky_map_release(tl_sky_map *map);
 
 /* The light of the set's sky, by direction, with `depth` levels: for integrals without a map of levels. As
  * tl_sky_tree_make. */
-tl_status tl_sky_tree_of(const tl_light_set *set, unsigned depth, tl_sky_tree *out, tl_error *err);
+tl_status tl_sky_tree_of(const tl_light_set *set,
+                         unsigned depth,
+                         tl_sky_tree *out,
+                         tl_error *err);
 
 #endif

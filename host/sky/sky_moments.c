@@ -90,7 +90,8 @@ tl_status tl_sky_moments_of(const tl_sky_source *source, tl_sky_moments out[3], 
     for (int c = 0; c < 3; c++) {
         tl_sky_moments m = {.light = 0.0};
         for (uint32_t y = 0; y < height; y++)
-            add_row(rows[y].of[c], rows[y].power[c], pi * y / height, pi * (y + 1) / height, &m);
+            add_row(rows[y].of[c], rows[y].power[c], pi * y / height, pi * (y + 1) / height,
+                    &m);
         for (int i = 0; i < 3; i++)
             for (int k = 0; k < i; k++)
                 m.second[i][k] = m.second[k][i];

@@ -2,6 +2,7 @@
 
 #include "parallel.h"
 #include "sky_light.h"
+#include "sky_tile.h"
 
 #include <math.h>
 
@@ -11,8 +12,8 @@ enum { LEAST_SIZE = 32 };
 
 double tl_sky_level_alpha(unsigned level)
 {
-    const double r = TL_SKY_LEAST_ROUGHNESS +
-                     (1.0 - TL_SKY_LEAST_ROUGHNESS) * level / (TL_SKY_LEVELS - 1);
+    const double r =
+        TL_SKY_LEAST_ROUGHNESS + (1.0 - TL_SKY_LEAST_ROUGHNESS) * level / (TL_SKY_LEVELS - 1);
     return r * r;
 }
 
@@ -36,77 +37,121 @@ size_t tl_sky_level_start(unsigned level, uint32_t most)
     return start;
 }
 
-static double cosine_of(const double a[3], const double b[3])
+double tl_sky_level_near(double alpha)
 {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    return 0.2 * cbrt(tl_sky_level_alpha(0) / alpha);
 }
 
-void tl_sky_mirrored(const tl_sky_tree *tree, const double toward[3], double alpha, double out[3])
+static double chord2(const double a[3], const double b[3])
 {
+    double square = 0.0;
+    for (int i = 0; i < 3; i++)
+        square += (a[i] - b[i]) * (a[i] - b[i]);
+    return square;
+}
+
+static void begin_tile(tl_sky_tile *t, double alpha, uint32_t x, uint32_t y, uint32_t size)
+{
+    *t = (tl_sky_tile){.alpha2 = alpha * alpha, .near = tl_sky_level_near(alpha)};
+    tl_sky_cell_direction(x + 0.5 * TL_SKY_SIDE, y + 0.5 * TL_SKY_SIDE, size, t->middle);
+    for (uint32_t i = 0; i < TL_SKY_TILE; i++) {
+        double d[3];
+        tl_sky_cell_direction(x + i % TL_SKY_SIDE + 0.5, y + i / TL_SKY_SIDE + 0.5, size, d);
+        for (int k = 0; k < 3; k++)
+            t->toward[k][i] = d[k];
+        t->radius = fmax(t->radius, sqrt(chord2(t->middle, d)));
+    }
+}
+
+/* For the vectors that the processor has; the bits are the same. */
+static tl_sky_add_piece *piece_adder(void)
+{
+#ifdef TL_HAS_AVX2
+    if (__builtin_cpu_supports("avx2"))
+        return tl_sky_add_piece_avx2;
+#endif
+    return tl_sky_add_piece_portable;
+}
+
+/* Whether it is small enough for the texel that is nearest to it. */
+static int counts_as_a_whole(const tl_sky_tile *t, const tl_sky_node *node)
+{
+    const double apart = sqrt(chord2(t->middle, node->toward)) - t->radius;
+    const double apart2 = apart > 0.0 ? apart * apart : 0.0;
+    return node->radius * node->radius <= t->near * t->near * (apart2 + 4.0 * t->alpha2);
+}
+
+/* Whether all of it is below the horizon of every texel, where K is 0: a cosine of 0 is a chord of sqrt(2). */
+static int is_below(const tl_sky_tile *t, const tl_sky_node *node)
+{
+    return sqrt(chord2(t->middle, node->toward)) - t->radius - node->radius >
+           1.4142135623730951;
+}
+
+static void filter(const tl_sky_tree *tree, tl_sky_tile *t)
+{
+    tl_sky_add_piece *const add_piece = piece_adder();
     enum { MOST_WAITING = 4 * 32 };
-    const double alpha2 = alpha * alpha;
     struct {
         unsigned level;
         size_t at;
     } waiting[MOST_WAITING] = {{0, 0}};
-    double sum[3] = {0.0, 0.0, 0.0}, weights = 0.0;
     for (int count = 1; count > 0;) {
         const unsigned level = waiting[--count].level;
         const size_t at = waiting[count].at;
         const tl_sky_node *node = &tree->nodes[level][at];
-        if (!(node->solid_angle > 0.0))
+        if (!(node->solid_angle > 0.0) || is_below(t, node))
             continue;
-        const double c = cosine_of(toward, node->toward), apart2 = 2.0 - 2.0 * c;
-        const double near2 = TL_SKY_NEAR * TL_SKY_NEAR * (apart2 + 4.0 * alpha2);
-        if (node->radius * node->radius > near2 && level < tree->depth) {
-            for (size_t i = 4; i-- > 0;) {
-                waiting[count].level = level + 1;
-                waiting[count++].at = 4 * at + i;
-            }
+        if (level == tree->depth || counts_as_a_whole(t, node)) {
+            add_piece(t, node);
             continue;
         }
-        if (!(c > 0.0))
-            continue;
-        const double wide = 1.0 - c + alpha2 * (1.0 + c);
-        const double weight = c / (wide * wide) * node->solid_angle;
-        for (int i = 0; i < 3; i++)
-            sum[i] += weight * node->radiance[i];
-        weights += weight;
+        for (size_t i = 4; i-- > 0;) {
+            waiting[count].level = level + 1;
+            waiting[count++].at = 4 * at + i;
+        }
     }
-    for (int i = 0; i < 3; i++)
-        out[i] = weights > 0.0 ? sum[i] / weights : 0.0;
 }
 
-/* Rows of all levels, one after another. */
+/* Tiles of all levels, one after another. */
 typedef struct job {
     const tl_sky_tree *tree;
     uint32_t most;
     float (*texels)[4];
 } job;
 
-static void filter_row(const job *j, unsigned level, uint32_t y)
+static size_t tiles_of(uint32_t size)
 {
-    const uint32_t size = tl_sky_level_size(level, j->most);
-    float(*row)[4] = j->texels + tl_sky_level_start(level, j->most) + (y + 1) * (size + 2) + 1;
-    for (uint32_t x = 0; x < size; x++) {
-        double d[3], seen[3];
-        tl_sky_cell_direction(x + 0.5, y + 0.5, size, d);
-        tl_sky_mirrored(j->tree, d, tl_sky_level_alpha(level), seen);
+    return (size_t)(size / TL_SKY_SIDE) * (size / TL_SKY_SIDE);
+}
+
+static void filter_tile(const job *j, unsigned level, size_t index)
+{
+    const uint32_t size = tl_sky_level_size(level, j->most), across = size / TL_SKY_SIDE;
+    const uint32_t x = (uint32_t)(index % across) * TL_SKY_SIDE,
+                   y = (uint32_t)(index / across) * TL_SKY_SIDE;
+    float(*texels)[4] = j->texels + tl_sky_level_start(level, j->most);
+    tl_sky_tile t;
+    begin_tile(&t, tl_sky_level_alpha(level), x, y, size);
+    filter(j->tree, &t);
+    for (uint32_t i = 0; i < TL_SKY_TILE; i++) {
+        float *to =
+            texels[(size_t)(y + i / TL_SKY_SIDE + 1) * (size + 2) + x + i % TL_SKY_SIDE + 1];
         for (int c = 0; c < 3; c++)
-            row[x][c] = (float)seen[c];
-        row[x][3] = 0.0f;
+            to[c] = (float)(t.weight[i] > 0.0 ? t.sum[c][i] / t.weight[i] : 0.0);
+        to[3] = 0.0f;
     }
 }
 
-static void filter_rows(void *context, size_t begin, size_t end)
+static void filter_tiles(void *context, size_t begin, size_t end)
 {
     const job *j = context;
-    for (size_t row = begin; row < end; row++) {
-        size_t y = row;
+    for (size_t i = begin; i < end; i++) {
+        size_t index = i;
         unsigned level = 0;
-        while (y >= tl_sky_level_size(level, j->most))
-            y -= tl_sky_level_size(level++, j->most);
-        filter_row(j, level, (uint32_t)y);
+        while (index >= tiles_of(tl_sky_level_size(level, j->most)))
+            index -= tiles_of(tl_sky_level_size(level++, j->most));
+        filter_tile(j, level, index);
     }
 }
 
@@ -116,8 +161,8 @@ static uint32_t mirrored_along(uint32_t at, uint32_t size)
     return size + 1 - at;
 }
 
-static void copy_texel(float (*texels)[4], uint32_t pitch, uint32_t to_x, uint32_t to_y,
-                       uint32_t x, uint32_t y)
+static void copy_texel(
+    float (*texels)[4], uint32_t pitch, uint32_t to_x, uint32_t to_y, uint32_t x, uint32_t y)
 {
     for (int c = 0; c < 4; c++)
         texels[to_y * pitch + to_x][c] = texels[y * pitch + x][c];
@@ -142,10 +187,10 @@ static void add_border(float (*texels)[4], uint32_t size)
 void tl_sky_prefilter(const tl_sky_tree *tree, uint32_t most, float (*texels)[4])
 {
     job j = {tree, most, texels};
-    size_t rows = 0;
+    size_t tiles = 0;
     for (unsigned level = 0; level < TL_SKY_LEVELS; level++)
-        rows += tl_sky_level_size(level, most);
-    tl_parallel(rows, 1, filter_rows, &j);
+        tiles += tiles_of(tl_sky_level_size(level, most));
+    tl_parallel(tiles, 1, filter_tiles, &j);
     for (unsigned level = 0; level < TL_SKY_LEVELS; level++)
         add_border(texels + tl_sky_level_start(level, most), tl_sky_level_size(level, most));
 }

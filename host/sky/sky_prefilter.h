@@ -13,16 +13,15 @@ double tl_sky_level_alpha(unsigned level);
 /* Texels of all levels, borders included, and where level `level` begins. */
 size_t tl_sky_level_start(unsigned level, uint32_t most);
 
-/* Mean radiance of the sky about a direction (right, up, ahead), unit, weighed by
+/* A level is, in every direction, the mean radiance of the sky about it, weighed by
  *
  *     K(c) = max(0, c) / (1 - c + alpha^2 (1 + c))^2,   c the cosine of the angle from it,
  *
  * which is D n.l of metal-rough with n = v = the direction, up to a constant: Karis, "Real Shading in Unreal
  * Engine 4", SIGGRAPH 2013, his sum over samples as the integral it stands for. A piece of the sky counts as a
- * whole where it is smaller than TL_SKY_NEAR of the width of K there. */
-void tl_sky_mirrored(const tl_sky_tree *tree, const double toward[3], double alpha, double out[3]);
-
-#define TL_SKY_NEAR 0.2
+ * whole where it is smaller than this share of the width of K there, sqrt(apart^2 + 4 alpha^2): what is wide is
+ * looked at more closely, for there are few texels of it. */
+double tl_sky_level_near(double alpha);
 
 /* All levels: [tl_sky_level_start(TL_SKY_LEVELS)][4], R, G, B, 0, as kernels/sky_light.h reads them. On all
  * threads; the bits do not depend on how many. */

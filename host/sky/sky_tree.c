@@ -10,8 +10,7 @@ static const double pi = 3.14159265358979323846;
 
 void tl_sky_cell_direction(double x, double y, double size, double out[3])
 {
-    const vec3 d =
-        direction_of_octahedron((vec2){2.0 * x / size - 1.0, 2.0 * y / size - 1.0});
+    const vec3 d = direction_of_octahedron((vec2){2.0 * x / size - 1.0, 2.0 * y / size - 1.0});
     const double length = sqrt(dot3(d, d));
     out[0] = d.x / length;
     out[1] = d.z / length;
@@ -98,7 +97,8 @@ static void deposit_all(const tl_sky_source *source, uint32_t cells, tl_sky_node
     const double height = pi / source->height, width = 2.0 * pi / source->width;
     const uint32_t rows = parts_of(height, cells), columns = parts_of(width, cells);
     for (uint32_t y = 0; y < source->height * rows; y++) {
-        const double at_y = (double)y / rows, top = height * at_y, end = height * (y + 1.0) / rows;
+        const double at_y = (double)y / rows, top = height * at_y,
+                     end = height * (y + 1.0) / rows;
         const double solid_angle = (cos(top) - cos(end)) * width / columns;
         const float *row = source->pixels + 3 * (size_t)(y / rows) * source->width;
         for (uint32_t x = 0; x < source->width * columns; x++) {
@@ -114,7 +114,8 @@ static void bound_leaf(tl_sky_node *leaf, uint32_t x, uint32_t y, uint32_t cells
 {
     for (uint32_t corner = 0; corner < 4; corner++) {
         double d[3];
-        tl_sky_cell_direction((double)(x + (corner & 1)), (double)(y + (corner >> 1)), cells, d);
+        tl_sky_cell_direction((double)(x + (corner & 1)), (double)(y + (corner >> 1)), cells,
+                              d);
         leaf->radius = fmax(leaf->radius, 4.0 / 3.0 * chord(leaf->toward, d));
     }
 }
@@ -130,8 +131,8 @@ static void join(const tl_sky_node below[4], tl_sky_node *node)
             light += below[i].radiance[c];
         }
         for (int k = 0; k < 3; k++)
-            node->toward[k] += (light * (1.0 + 1e-3) + 1e-30) * below[i].solid_angle *
-                               below[i].toward[k];
+            node->toward[k] +=
+                (light * (1.0 + 1e-3) + 1e-30) * below[i].solid_angle * below[i].toward[k];
     }
     finish(node);
     for (int i = 0; i < 4; i++)

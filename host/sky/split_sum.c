@@ -9,7 +9,7 @@
 static const double pi = 3.14159265358979323846;
 
 /* Directions of half vectors: by how much of the distribution lies below, and around the normal. */
-enum { TURNS = 64, HEIGHTS = 128 };
+enum { TURNS = 32, HEIGHTS = 128 };
 
 static double smith(double alpha2, double cosine)
 {
@@ -21,25 +21,46 @@ static double fifth_power(double x)
     return x * x * x * x * x;
 }
 
-/* Over half vectors h whose density D n.h: with l = 2 (v.h) h - v, dl = 4 v.h dh, the lobe D V n.l dl is
- * 4 V n.l v.h / n.h of a sample's share. Cells of equal shares, a sample in the middle of each. */
+/* From 0 to 1, flat at both ends. */
+static double smooth(double t)
+{
+    return t * t * (3.0 - 2.0 * t);
+}
+
+static double slope(double t)
+{
+    return 6.0 * t * (1.0 - t);
+}
+
+/* How far h may turn, 0 to pi, before l is below the surface: n.l = 2 (v.h) n.h - n.v. */
+static double turn_of(double nv, double sine, double nh, double across)
+{
+    const double least = nv / (2.0 * nh) - nv * nh, by = sine * across;
+    return by > 0.0 ? acos(fmax(-1.0, fmin(1.0, least / by))) : least < 0.0 ? pi : 0.0;
+}
+
+/* Over half vectors h whose density is D n.h: with l = 2 (v.h) h - v, dl = 4 v.h dh, the lobe D V n.l dl is
+ * 4 V n.l v.h / n.h of a sample's share. Samples are in the middle of cells, which are smaller where the
+ * integrand ends: at the pole, at the equator, and where l is at the horizon. */
 static void add_lobe(double nv, double alpha, tl_split_sum *out)
 {
     const double alpha2 = alpha * alpha, sine = sqrt(1.0 - nv * nv);
     for (int i = 0; i < HEIGHTS; i++) {
         const double t = (i + 0.5) / HEIGHTS;
-        const double share = t * t * (3.0 - 2.0 * t), density = 6.0 * t * (1.0 - t) / HEIGHTS;
+        const double s = smooth(t), share = smooth(s);
+        const double density = slope(s) * slope(t) / HEIGHTS;
         const double nh2 = (1.0 - share) / (1.0 + (alpha2 - 1.0) * share), nh = sqrt(nh2);
         const double across = sqrt(1.0 - nh2);
+        const double most = turn_of(nv, sine, nh, across);
         for (int k = 0; k < TURNS; k++) {
-            const double vh = nv * nh + sine * across * cos(pi * (k + 0.5) / TURNS);
+            const double near = 1.0 - (k + 0.5) / TURNS;
+            const double vh = nv * nh + sine * across * cos(most * (1.0 - near * near));
             const double nl = 2.0 * vh * nh - nv;
             if (!(nl > 0.0) || !(vh > 0.0))
                 continue;
-            const double shadowed =
-                0.5 / (nl * smith(alpha2, nv) + nv * smith(alpha2, nl));
+            const double shadowed = 0.5 / (nl * smith(alpha2, nv) + nv * smith(alpha2, nl));
             const double reflected =
-                4.0 * shadowed * nl * vh / nh * density / TURNS;
+                4.0 * shadowed * nl * vh / nh * density * 2.0 * near / TURNS * most / pi;
             out->base += reflected;
             out->grazing += reflected * fifth_power(1.0 - vh);
         }
