@@ -4,6 +4,33 @@
 #include "tilelight/post.h"
 #include "try.h"
 
+#include <math.h>
+
+/* In radiance. Where the exposure is automatic, it is that of the picture before anything is done to it. */
+static float exposed_threshold(const job *j,
+                               const tl_bloom_options *bloom,
+                               const picture_options *pictures)
+{
+    if (!(bloom->strength > 0.0f))
+        return bloom->threshold;
+    const float exposure =
+        pictures->automatic ? tl_image_auto_exposure(j->image) : pictures->exposure;
+    return fminf(bloom->threshold * exp2f(-exposure), TL_MOST_BLOOM_THRESHOLD);
+}
+
+static void tell(const post_choice *choice,
+                 const tl_post_options *options,
+                 const tl_post_counts *counts)
+{
+    if (counts->stages >> TL_POST_BLOOM & 1u && !counts->is_bright)
+        tl_notice(&console_notices,
+                  "--bloom is for nothing: no pixel has a radiance above %g, which is %g once "
+                  "exposed and where "
+                  "brightness begins; --bloom-threshold or --exposure moves that",
+                  (double)(options->bloom.threshold * (1.0f - options->bloom.knee)),
+                  (double)(choice->options.bloom.threshold * (1.0f - options->bloom.knee)));
+}
+
 static void report(job *j, const tl_post_counts *counts)
 {
     json_t *stages = json_array();
@@ -11,12 +38,14 @@ static void report(job *j, const tl_post_counts *counts)
         if (counts->stages >> i & 1u)
             json_array_append_new(stages, json_string(tl_post_stage_rows[i].word));
     job_report(j, "post",
-               json_pack("{so sI}", "stages", stages, "mended_pixels",
-                         (json_int_t)counts->mended_count));
+               json_pack("{so sI sb sI}", "stages", stages, "mended_pixels",
+                         (json_int_t)counts->mended_count, "bloomed", counts->is_bright,
+                         "bands", (json_int_t)counts->band_count));
 }
 
 tl_status job_post(job *j,
                    const post_choice *choice,
+                   const picture_options *pictures,
                    const tl_lighting_options *lighting,
                    tl_device *device,
                    tl_error *err)
@@ -25,9 +54,11 @@ tl_status job_post(job *j,
     tl_post_counts counts;
     tl_post *post = NULL;
     tl_status status = TL_OK;
+    options.bloom.threshold = exposed_threshold(j, &choice->options.bloom, pictures);
     options.mend = lighting->kernel.text != NULL;
     TRY(tl_post_create(device, lighting, &options, &post, err));
     TRY(tl_post_run(post, j->gbuffer, &j->image, &j->timings, &console_notices, &counts, err));
+    tell(choice, &options, &counts);
     report(j, &counts);
 done:
     tl_post_destroy(post);

@@ -87,7 +87,8 @@ static tl_status run(job *j, const light_options *options, tl_device **device, t
                   promise_goal(&options->promise, &options->pictures,
                                j->has_look ? &j->look : NULL, &goal),
                   *device, explain_wanted(&options->explain) ? &told : NULL, err));
-    TRY(job_post(j, &options->post, &options->lighting.options, *device, err));
+    TRY(job_post(j, &options->post, &options->pictures, &options->lighting.options, *device,
+                 err));
     TRY(job_write_pictures(j, &options->pictures, err));
     TRY(explain_tell(j, &options->explain, &told, err));
     TRY(job_finish(j, &options->report, err));
@@ -98,7 +99,8 @@ done:
 
 int command_light(int argc, char **argv)
 {
-    light_options options = {.lighting = lighting_choice_default()};
+    light_options options = {.lighting = lighting_choice_default(),
+                             .post = post_choice_default()};
     tl_device *device = NULL;
     tl_error err;
     job j = {0};

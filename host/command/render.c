@@ -121,7 +121,8 @@ static tl_status run(job *j, const render_options *options, tl_device **device, 
                   promise_goal(&options->promise, &options->pictures,
                                j->has_look ? &j->look : NULL, &goal),
                   *device, explain_wanted(&options->explain) ? &told : NULL, err));
-    TRY(job_post(j, &options->post, &options->lighting.options, *device, err));
+    TRY(job_post(j, &options->post, &options->pictures, &options->lighting.options, *device,
+                 err));
     TRY(job_write_pictures(j, &options->pictures, err));
     TRY(explain_tell(j, &options->explain, &told, err));
     TRY(job_finish(j, &options->report, err));
@@ -132,7 +133,8 @@ done:
 
 int command_render(int argc, char **argv)
 {
-    render_options options = {.lighting = lighting_choice_default()};
+    render_options options = {.lighting = lighting_choice_default(),
+                              .post = post_choice_default()};
     tl_device *device = NULL;
     tl_error err;
     job j = {0};
