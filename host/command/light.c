@@ -6,6 +6,7 @@
 #include "job_light.h"
 #include "job_pictures.h"
 #include "job_post.h"
+#include "kernel_options.h"
 #include "layers_options.h"
 #include "promise_options.h"
 #include "try.h"
@@ -16,6 +17,7 @@ typedef struct light_options {
     lighting_choice lighting;
     promise_choice promise;
     post_choice post;
+    kernel_choice kernel;
     tl_import_options import;
     picture_options pictures;
     explain_options explain;
@@ -27,6 +29,13 @@ static void check_together(const light_options *options, struct argp_state *stat
     if (options->report.json && picture_on_standard_output(&options->pictures))
         argp_error(state, "-o - and --json both want standard output");
     aov_check_together(&options->lighting, &options->pictures, state);
+    const tl_precision precision = options->lighting.options.precision;
+    if (options->kernel.file && precision != TL_PRECISION_FLOAT &&
+        precision != TL_PRECISION_DOUBLE)
+        argp_error(state, "--kernel runs on a device: with --precision float or double");
+    if (options->kernel.file && options->promise.option)
+        argp_error(state, "%s is kept by tilelight's own kernels: leave --kernel out",
+                   options->promise.option);
     promise_check_together(&options->promise, &options->lighting, &options->pictures, state);
 }
 
@@ -45,6 +54,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         state->child_inputs[6] = &options->lighting.options;
         state->child_inputs[7] = &options->post;
         state->child_inputs[8] = &options->lighting;
+        state->child_inputs[9] = &options->kernel;
         return 0;
     }
     if (key == ARGP_KEY_SUCCESS)
@@ -62,6 +72,7 @@ static const struct argp_child children[] = {
     {&layers_argp, 0, NULL, 2},
     {&post_argp, 0, "After lighting (docs/post-processing.md):", 3},
     {&aov_argp, 0, NULL, 1},
+    {&kernel_argp, 0, "Kernel (docs/your-kernel.md):", 2},
     {0},
 };
 
@@ -73,13 +84,14 @@ static const struct argp argp = {
     .children = children,
 };
 
-static tl_status run(job *j, const light_options *options, tl_device **device, tl_error *err)
+static tl_status run(job *j, light_options *options, tl_device **device, tl_error *err)
 {
     tl_status status = TL_OK;
     tl_goal goal;
     explained told = {.asked = &options->explain};
     TRY(picture_check(&options->pictures, options->gbuffer, err));
     TRY(explain_check(&options->explain, options->gbuffer, err));
+    TRY(kernel_choice_read(&options->kernel, &options->lighting.options.kernel, err));
     TRY(job_begin(j, &options->report, err));
     TRY(job_prepare_light(j, &options->lighting, device, err));
     TRY(job_read(j, options->gbuffer, &options->import, options->lighting.strict, err));
@@ -107,6 +119,7 @@ int command_light(int argc, char **argv)
     argp_parse(&argp, argc, argv, 0, NULL, &options);
     const tl_status status = run(&j, &options, &device, &err);
     tl_device_close(device);
+    kernel_choice_release(&options.kernel);
     job_release(&j);
     return console_finish(status, &err);
 }

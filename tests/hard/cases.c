@@ -156,6 +156,26 @@ const hard_case hard_cases[] = {
      "pixels of ten panes that cross, where rays tell: as those are blended",
      "sorted by their centres", hard_pane_order},
 #endif
+    {31, "edge-neighbours",
+     "A table of a pixel's neighbours has one twice, lacks another, and half of it is used: "
+     "edges on two sides are not seen.",
+     "All eight, as four pairs on opposite sides.", "Policarpo and Fonseca 2005, listing 21",
+     "pixels beside another normal: smoothed", "the sum over that table", hard_edge_neighbours},
+    {32, "edge-plane",
+     "Depth differs from pixel to pixel on a floor that is seen aslant, which is smoothed "
+     "away.",
+     "The second difference of 1/depth, which is 0 on every plane.",
+     "equation 7 of the same, taken of depths", "pixels of a floor: the same bits",
+     "differences to neighbours", hard_edge_plane},
+    {33, "grey-bloom",
+     "Squares of colours are added up in place of colours, and every light glows grey.",
+     "Seven taps of each colour.", "Policarpo and Fonseca 2005, listing 22",
+     "pixels that a coloured light scatters to: its hue",
+     "the dot product of a colour by itself", hard_grey_bloom},
+    {34, "nan-bloom", "One pixel that is no number is a square of them once it is blurred.",
+     "Such pixels become the mean of their neighbours before anything is mixed.", "overte 2297",
+     "pixels of a picture with four of them: finite", "seven taps across and down",
+     hard_nan_bloom},
 };
 
 const size_t hard_case_count = COUNT_OF(hard_cases);

@@ -1,5 +1,5 @@
-/* Cases that bounds, lists, shading, shadows and ambient occlusion have been wrong in elsewhere: a table, one
- * function each, and the figures they come to. */
+/* Cases that bounds, lists, shading, shadows, ambient occlusion and what comes after lighting have been wrong
+ * in elsewhere: a table, one function each, and the figures they come to. */
 #ifndef TL_HARD_CASE_H
 #define TL_HARD_CASE_H
 
@@ -101,6 +101,10 @@ void hard_touching(hard_bench *bench);
 void hard_powers(hard_bench *bench);
 void hard_no_normal(hard_bench *bench);
 void hard_nan_pixel(hard_bench *bench);
+void hard_edge_neighbours(hard_bench *bench);
+void hard_edge_plane(hard_bench *bench);
+void hard_grey_bloom(hard_bench *bench);
+void hard_nan_bloom(hard_bench *bench);
 void hard_own_shadow(hard_bench *bench);
 void hard_far_shadow(hard_bench *bench);
 void hard_cube_seam(hard_bench *bench);
