@@ -1,6 +1,7 @@
 /* What choosing effects is worth: frames with those that they call for against all effects, and with an
  * effect that no tile uses, or a stage that all pixels go through, against the same frame without. */
 #include "bench_json.h"
+#include "bench_post.h"
 #include "bench_session.h"
 #include "console.h"
 #include "effect_frames.h"
@@ -21,7 +22,7 @@ typedef struct effects_bench {
     bench_session *session;
     tl_bench_case of; /* its size and how it is lit */
     tl_sampling_rule rule;
-    json_t *frames, *unused, *stages;
+    json_t *frames, *unused, *stages, *post;
     int all_same_bits;
     double gain_of_plainest, most_of_unused; /* median; upper end of the interval */
 } effects_bench;
@@ -181,6 +182,7 @@ static tl_status measure_all(effects_bench *b, tl_error *err)
         print_heading(table, "\nwhat stages cost", "without", "with ms");
     for (int i = 0; i < tl_stage_count; i++)
         TRY(measure_stage(b, i, err));
+    TRY(bench_post_stages(b->session, &b->of, &b->rule, b->post, err));
     if (table)
         print_verdicts(table, b);
 done:
@@ -195,12 +197,12 @@ static tl_status write_json(effects_bench *b, tl_error *err)
     const tl_device_info device = tl_device_describe(s->device);
     json_t *report = tl_bench_json_begin(&s->machine);
     json_object_set_new(report, "device", tl_bench_json_device(&device));
-    json_object_set_new(report, "effects",
-                        json_pack("{so sO sO sO so so sb}", "case", tl_bench_json_case(&b->of),
-                                  "frames", b->frames, "unused", b->unused, "stages", b->stages,
-                                  "gain_of_plainest", tl_json_number(b->gain_of_plainest),
-                                  "most_of_unused", tl_json_number(b->most_of_unused),
-                                  "same_bits", b->all_same_bits));
+    json_object_set_new(
+        report, "effects",
+        json_pack("{so sO sO sO sO so so sb}", "case", tl_bench_json_case(&b->of), "frames",
+                  b->frames, "unused", b->unused, "stages", b->stages, "post", b->post,
+                  "gain_of_plainest", tl_json_number(b->gain_of_plainest), "most_of_unused",
+                  tl_json_number(b->most_of_unused), "same_bits", b->all_same_bits));
     return tl_json_write(s->options->json, report, err);
 }
 
@@ -211,6 +213,7 @@ tl_status bench_run_effects(bench_session *s, tl_error *err)
                        .frames = json_array(),
                        .unused = json_array(),
                        .stages = json_array(),
+                       .post = json_array(),
                        .all_same_bits = 1};
     tl_status status = TL_OK;
     b.rule.least_samples = s->options->samples_given ? b.rule.least_samples : effects_samples;
@@ -230,5 +233,6 @@ done:
     json_decref(b.frames);
     json_decref(b.unused);
     json_decref(b.stages);
+    json_decref(b.post);
     return status;
 }

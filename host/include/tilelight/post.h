@@ -93,6 +93,12 @@ typedef struct tl_post_counts {
     double device_ms[TL_POST_STAGE_COUNT]; /* from profiling events; 0 on the CPU paths */
 } tl_post_counts;
 
+/* Bytes per pixel that the stages which are asked for read and write at least, resolving left out: what they
+ * take is no less than that over the bandwidth. has_no_colors: there are pixels to mend. */
+double tl_post_bytes(const tl_post_options *options,
+                     const tl_gbuffer *gbuffer,
+                     int has_no_colors);
+
 /* Holds programs, buffers and a second picture from picture to picture. */
 typedef struct tl_post tl_post;
 
