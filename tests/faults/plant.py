@@ -74,7 +74,8 @@ def test_status(source, build, target, arguments):
     scratch = build / "scratch"
     scratch.mkdir(exist_ok=True)
     environment = dict(os.environ, POCL_CACHE_DIR=str(build / "pocl-cache"), TILELIGHT_CACHE="",
-                       TILELIGHT_SOURCE=str(source), TILELIGHT_SCRATCH=str(scratch))
+                       TILELIGHT_SOURCE=str(source), TILELIGHT_SCRATCH=str(scratch),
+                       TILELIGHT_PROGRAM=str(build / "tilelight"))
     try:
         return subprocess.run([program_of(build, target)] + arguments, env=environment, timeout=LONGEST,
                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode
