@@ -5,6 +5,7 @@
 #include "explain_text.h"
 #include "json_values.h"
 #include "report_options.h"
+#include "tilelight/post.h"
 #include "values.h"
 
 #include <stdio.h>
@@ -53,6 +54,24 @@ static void print_row(const tl_effect_row *row)
     printf("\n");
 }
 
+static void print_stages(void)
+{
+    printf("after lighting, in this order:\n");
+    for (int i = 0; i < TL_POST_STAGE_COUNT; i++)
+        printf("%-16s%s; reads %s\n", tl_post_stage_rows[i].word, tl_post_stage_rows[i].meaning,
+               tl_post_stage_rows[i].reads);
+}
+
+static json_t *stages_json(void)
+{
+    json_t *list = json_array();
+    for (int i = 0; i < TL_POST_STAGE_COUNT; i++)
+        json_array_append_new(list, json_pack("{ss ss ss}", "name", tl_post_stage_rows[i].word,
+                                              "does", tl_post_stage_rows[i].meaning, "reads",
+                                              tl_post_stage_rows[i].reads));
+    return list;
+}
+
 static json_t *row_json(const tl_effect_row *row)
 {
     json_t *causes = json_array(), *planes = json_array();
@@ -72,7 +91,8 @@ static tl_status print_json(tl_error *err)
     json_t *list = json_array();
     for (int i = 0; i < TL_EFFECT_COUNT; i++)
         json_array_append_new(list, row_json(&tl_effect_rows[i]));
-    return tl_json_write("-", json_pack("{so}", "effects", list), err);
+    return tl_json_write(
+        "-", json_pack("{so so}", "effects", list, "after_lighting", stages_json()), err);
 }
 
 int command_effects(int argc, char **argv)
@@ -84,5 +104,6 @@ int command_effects(int argc, char **argv)
         return console_finish(print_json(&err), &err);
     for (int i = 0; i < TL_EFFECT_COUNT; i++)
         print_row(&tl_effect_rows[i]);
+    print_stages();
     return console_finish(TL_OK, &err);
 }

@@ -8,6 +8,7 @@
 #include "tilelight/image.h"
 #include "tilelight/import.h"
 #include "tilelight/lights.h"
+#include "tilelight/post.h"
 #include "tilelight/report.h"
 
 #include <jansson.h>
@@ -32,6 +33,7 @@ typedef struct job {
     tl_repairs repairs;
     tl_image *image;
     job_aovs aovs; /* what is written beside it in EXRs */
+    tl_post_counts post; /* what the stages after lighting came to */
     tl_timings timings;
     double start_s;          /* when the process began, on tl_seconds' clock */
     double first_kernel_ms;  /* after that; 0: no kernel ran */

@@ -5,6 +5,7 @@
 #include "try.h"
 
 #include <math.h>
+#include <stdio.h>
 
 /* In radiance. Where the exposure is automatic, it is that of the picture before anything is done to it. */
 static float exposed_threshold(const job *j,
@@ -60,7 +61,40 @@ tl_status job_post(job *j,
     TRY(tl_post_run(post, j->gbuffer, &j->image, &j->timings, &console_notices, &counts, err));
     tell(choice, &options, &counts);
     report(j, &counts);
+    j->post = counts;
 done:
     tl_post_destroy(post);
     return status;
+}
+
+static const char *of_edges(const tl_edge_options *edges)
+{
+    return edges->normals && edges->depth ? "--antialias, in normals and depth"
+           : edges->normals               ? "--antialias, in normals"
+           : edges->depth                 ? "--antialias, in depth"
+                                          : "no --antialias";
+}
+
+static const char *of_bloom(const tl_bloom_options *bloom, const tl_post_counts *counts)
+{
+    return !(bloom->strength > 0.0f) ? "no --bloom"
+           : counts->is_bright       ? "--bloom, and something is bright"
+                                     : "--bloom, but nothing is bright: nothing was blurred";
+}
+
+void job_post_explain(const job *j,
+                      const post_choice *choice,
+                      const tl_lighting_options *lighting)
+{
+    const char *const why[TL_POST_STAGE_COUNT] = {
+        [TL_POST_MEND] = lighting->kernel.text ? "a kernel of yours, which may give no numbers"
+                                               : "tilelight's own kernels, which give numbers",
+        [TL_POST_EDGES] = of_edges(&choice->options.edges),
+        [TL_POST_RESOLVE] = j->gbuffer->samples > 1 ? "several samples a pixel" : "one sample",
+        [TL_POST_BLOOM] = of_bloom(&choice->options.bloom, &j->post),
+    };
+    fprintf(stderr, "after lighting\n");
+    for (int i = 0; i < TL_POST_STAGE_COUNT; i++)
+        fprintf(stderr, "  %-17s  %-3s  %s\n", tl_post_stage_rows[i].word,
+                j->post.stages >> i & 1u ? "on" : "off", why[i] ? why[i] : "");
 }

@@ -16,4 +16,9 @@ tl_status job_post(job *j,
                    tl_device *device,
                    tl_error *err);
 
+/* Which stages ran and why, for --explain: on standard error. */
+void job_post_explain(const job *j,
+                      const post_choice *choice,
+                      const tl_lighting_options *lighting);
+
 #endif

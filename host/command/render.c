@@ -125,6 +125,8 @@ static tl_status run(job *j, const render_options *options, tl_device **device, 
                  err));
     TRY(job_write_pictures(j, &options->pictures, err));
     TRY(explain_tell(j, &options->explain, &told, err));
+    if (options->explain.text && !j->report)
+        job_post_explain(j, &options->post, &options->lighting.options);
     TRY(job_finish(j, &options->report, err));
 done:
     explained_clear(&told);
