@@ -59,31 +59,49 @@ tl_status tl_post_read_count(tl_post_work *work, uint32_t *count, tl_error *err)
                  "clEnqueueReadBuffer", err);
 }
 
-/* Rows [first, end) of the view's, of all colours, between a picture and the device's buffer of it. */
-static tl_status move_rows(const tl_post_work *work,
-                           tl_buffer_name name,
+/* Rows [first, end), of each colour, from a picture to the device's buffer of it. */
+static tl_status send_rows(const tl_post_work *work,
                            const tl_image *image,
                            uint32_t first,
                            uint32_t end,
-                           int to_host,
                            tl_error *err)
 {
     const tl_pass_context *c = &work->context;
     const size_t row = (size_t)image->pitch * sizeof(float);
-    const size_t origin[3] = {0, first - work->view.plane_row, 0},
-                 host_origin[3] = {0, first, 0};
-    const size_t region[3] = {row, end - first, 3};
-    const cl_mem memory = c->buffers->of[name].memory;
-    if (to_host)
-        return tl_cl(clEnqueueReadBufferRect(c->device->queue, memory, CL_TRUE, origin,
-                                             host_origin, region, row,
-                                             row * work->view.plane_rows, row,
-                                             row * image->rows, image->planes, 0, NULL, NULL),
-                     "clEnqueueReadBufferRect", err);
-    return tl_cl(clEnqueueWriteBufferRect(c->device->queue, memory, CL_TRUE, origin,
-                                          host_origin, region, row, row * work->view.plane_rows,
-                                          row, row * image->rows, image->planes, 0, NULL, NULL),
-                 "clEnqueueWriteBufferRect", err);
+    const size_t plane = row * work->view.plane_rows, at = row * (first - work->view.plane_row);
+    tl_status status = TL_OK;
+    for (unsigned color = 0; color < 3; color++)
+        TRY(tl_cl(
+            clEnqueueWriteBuffer(c->device->queue, c->buffers->of[TL_BUFFER_POST_FROM].memory,
+                                 CL_TRUE, color * plane + at, row * (end - first),
+                                 tl_image_plane(image, color) + (size_t)first * image->pitch, 0,
+                                 NULL, NULL),
+            "clEnqueueWriteBuffer", err));
+done:
+    return status;
+}
+
+/* And back. */
+static tl_status fetch_rows(const tl_post_work *work,
+                            tl_buffer_name name,
+                            const tl_image *image,
+                            uint32_t first,
+                            uint32_t end,
+                            tl_error *err)
+{
+    const tl_pass_context *c = &work->context;
+    const size_t row = (size_t)image->pitch * sizeof(float);
+    const size_t plane = row * work->view.plane_rows, at = row * (first - work->view.plane_row);
+    tl_status status = TL_OK;
+    for (unsigned color = 0; color < 3; color++)
+        TRY(tl_cl(
+            clEnqueueReadBuffer(c->device->queue, c->buffers->of[name].memory, CL_TRUE,
+                                color * plane + at, row * (end - first),
+                                tl_image_plane(image, color) + (size_t)first * image->pitch, 0,
+                                NULL, NULL),
+            "clEnqueueReadBuffer", err));
+done:
+    return status;
 }
 
 tl_status tl_post_bring_back(tl_post_work *work, tl_error *err)
@@ -98,7 +116,7 @@ tl_status tl_post_bring_back(tl_post_work *work, tl_error *err)
         TRY(tl_buffers_touch(c->buffers, c->device, TL_BUFFER_POST_FROM, CL_MAP_READ, size,
                              err));
     else
-        TRY(move_rows(work, TL_BUFFER_POST_FROM, work->from, 0, work->from->height, 1, err));
+        TRY(fetch_rows(work, TL_BUFFER_POST_FROM, work->from, 0, work->from->height, err));
     TRY(tl_pass_finish(c, err));
     tl_timings_end(work->timings, "readback", clock);
     work->is_stale = 0;
@@ -150,8 +168,8 @@ static tl_status upload(tl_post_work *work, tl_error *err)
         goto done;
     TRY(tl_buffers_reserve(c->buffers, c->device, TL_BUFFER_POST_FROM, size, err));
     const uint32_t end = work->view.plane_row + work->view.plane_rows;
-    TRY(move_rows(work, TL_BUFFER_POST_FROM, work->from, work->view.plane_row,
-                  end < work->view.height ? end : work->view.height, 0, err));
+    TRY(send_rows(work, work->from, work->view.plane_row,
+                  end < work->view.height ? end : work->view.height, err));
 done:
     return status;
 }
@@ -176,8 +194,8 @@ static tl_status read_band(tl_post_work *work, int wrote, tl_error *err)
     if (c->device->shares_memory)
         TRY(tl_buffers_touch(c->buffers, c->device, TL_BUFFER_POST_TO, CL_MAP_READ, size, err));
     else if (wrote)
-        TRY(move_rows(work, TL_BUFFER_POST_TO, work->to, work->view.first_row,
-                      work->view.end_row, 1, err));
+        TRY(fetch_rows(work, TL_BUFFER_POST_TO, work->to, work->view.first_row,
+                       work->view.end_row, err));
     TRY(tl_pass_finish(c, err));
     if (!wrote)
         copy_rows(work);
