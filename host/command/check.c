@@ -65,6 +65,9 @@ static void check_usage(const check_command *options, struct argp_state *state)
     if (options->lighting.lights && !options->gbuffer)
         argp_error(state, "--lights goes with --gbuffer: built-in frames have lights of their "
                           "own");
+    if (options->lighting.controls.count > 0 && !options->gbuffer)
+        argp_error(state, "--light, --group and --solo go with --gbuffer: built-in frames have "
+                          "lights of their own");
     if (options->import.is_given && !options->gbuffer)
         argp_error(state, "options for captures of other programs go with --gbuffer");
     if (options->kernel.file && precision != TL_PRECISION_FLOAT &&
@@ -256,6 +259,7 @@ static tl_status take_frame(const check_command *options,
         TRY(job_read(j, options->gbuffer, &options->import, options->lighting.strict, err));
         TRY(unpack(j, options->gbuffer, err));
         TRY(job_choose_lights(j, &options->lighting.sky, err));
+        TRY(job_control_lights(j, &options->lighting, err));
         job_choose_occlusion(j, &options->lighting);
         *frame = (tl_checked_frame){.gbuffer = j->gbuffer,
                                     .lights = j->lights,

@@ -20,6 +20,9 @@ tl_status job_prepare_light(job *j,
 {
     tl_status status = TL_OK;
     TRY(job_read_lights(j, choice->lights, err));
+    /* Before a capture makes shadow maps of them. */
+    if (j->lights_given)
+        TRY(tl_light_set_control(&j->lights, choice->controls.of, choice->controls.count, err));
     if (!needs_device[choice->options.precision])
         goto done;
     const double start = tl_seconds();
@@ -29,6 +32,13 @@ tl_status job_prepare_light(job *j,
     job_report(j, "device", json_string(tl_device_describe(*device).name));
 done:
     return status;
+}
+
+tl_status job_control_lights(job *j, const lighting_choice *choice, tl_error *err)
+{
+    if (j->lights_given)
+        return TL_OK;
+    return tl_light_set_control(&j->lights, choice->controls.of, choice->controls.count, err);
 }
 
 static tl_status add_rig(job *j, tl_error *err)
@@ -131,6 +141,7 @@ tl_status job_light(job *j,
 
     console_stage("lighting");
     TRY(job_choose_lights(j, &choice->sky, err));
+    TRY(job_control_lights(j, choice, err));
     job_choose_occlusion(j, choice);
     tell_model(j);
     tell_layers(j, &options);

@@ -99,6 +99,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         state->child_inputs[0] = &choice->strict;
         state->child_inputs[1] = &choice->sky;
         state->child_inputs[2] = &options->approximations;
+        state->child_inputs[3] = &choice->controls;
         return 0;
     default: return ARGP_ERR_UNKNOWN;
     }
@@ -153,6 +154,7 @@ static const struct argp_child children[] = {
     {&strict_argp, 0, NULL, 0},
     {&sky_argp, 0, NULL, 0},
     {&approximation_argp, 0, "Accuracy for time (docs/approximations.md):", 0},
+    {&light_control_argp, 0, NULL, 0},
     {0},
 };
 const struct argp lighting_argp = {

@@ -2,6 +2,7 @@
 #ifndef TL_LIGHTING_OPTIONS_H
 #define TL_LIGHTING_OPTIONS_H
 
+#include "light_control_options.h"
 #include "sky_options.h"
 #include "tilelight/lighting.h"
 
@@ -17,6 +18,7 @@ typedef struct lighting_choice {
     double occlusion_radius; /* m, of ambient occlusion; below 0: what the lights say */
     bool groups; /* groups of lights are written by themselves, as aov_options.h says */
     sky_choice sky;
+    light_controls controls; /* of the lights, wherever they are from */
     bool strict; /* refuse pixels that would have to be repaired */
 } lighting_choice;
 

@@ -3,7 +3,7 @@
 #include <ctype.h>
 #include <string.h>
 
-enum { LONGEST_WORD = 31 };
+enum { LONGEST_WORD = 63 };
 
 static size_t least(size_t a, size_t b, size_t c)
 {
@@ -39,6 +39,8 @@ const char *tl_suggest(const char *typed, const char *const *words, size_t count
     if (strlen(typed) > LONGEST_WORD)
         return NULL;
     for (size_t i = 0; i < count; i++) {
+        if (strlen(words[i]) > LONGEST_WORD)
+            continue;
         const size_t edits = edit_distance(typed, words[i]);
         if (edits < fewest && 3 * edits <= strlen(words[i])) {
             fewest = edits;
