@@ -12,7 +12,7 @@ import pathlib
 import sys
 
 sys.dont_write_bytecode = True
-from scenes import fair, hall, hard_cases, nine_lights, panes, png, sky, window  # noqa: E402
+from scenes import fair, hall, hard_cases, nine_lights, panes, png, profiles, sky, window  # noqa: E402
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 
@@ -31,7 +31,7 @@ def main(arguments):
         print(__doc__, file=sys.stderr)
         return 2
     different = []
-    for scene in (nine_lights, hall, hard_cases, fair, panes, sky, window):
+    for scene in (nine_lights, hall, hard_cases, fair, panes, sky, window, profiles):
         for name, data in scene.files().items():
             if is_current(FOLDER / name, data):
                 continue

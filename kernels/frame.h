@@ -41,11 +41,11 @@ typedef struct tl_frame {
     /* Sections behind the lights and their cones: where each begins, in rows of 16 bytes from the start
      * of the buffer of lights. 0: the frame has none. */
     tl_u32 brdfs_at, shapes_at, sky_at;
-    tl_u32 calls_at; /* what each light calls for: choices.h */
-    float exponent;  /* of all surfaces, where they have one (needs.h); else 0 */
+    tl_u32 calls_at;        /* what each light calls for: choices.h */
+    float exponent;         /* of all surfaces, where they have one (needs.h); else 0 */
     tl_u32 surroundings_at; /* what keeps ambient light from pixels: occlusion.h */
-    tl_u32 is_layer; /* 1: is blended (blend.h), and what it says of sky not read */
-    tl_u32 sky_light_at; /* of the sky on surfaces: sky_light.h */
+    tl_u32 is_layer;        /* 1: is blended (blend.h), and what it says of sky not read */
+    tl_u32 sky_light_at;    /* of the sky on surfaces: sky_light.h */
 } tl_frame;
 TL_STATIC_ASSERT(sizeof(tl_frame) == 192, frame_is_twelve_rows);
 
@@ -121,9 +121,28 @@ typedef struct tl_view_shape {
     tl_u32 table_at;  /* row of the buffer where the table begins */
     /* index of the last of its numbers, at the range; `fade` is that over the range */
     tl_u32 table_last;
-    tl_u32 shadow_at; /* row of the buffer where its tl_view_shadow is; 0: nothing stands in its way */
+    tl_u32
+        shadow_at; /* row of the buffer where its tl_view_shadow is; 0: nothing stands in its way */
+    tl_u32
+        profile_at; /* row of the buffer where its tl_view_profile is; 0: alike in all directions */
+    tl_u32 reserved[3];
 } tl_view_shape;
-TL_STATIC_ASSERT(sizeof(tl_view_shape) == 80, view_shape_is_five_rows);
+TL_STATIC_ASSERT(sizeof(tl_view_shape) == 96, view_shape_is_six_rows);
+
+/* The profile of a light in the buffer of lights, and how it stands in view space: profile.h. Directions are of
+ * unit length and at right angles. */
+typedef struct tl_view_profile {
+    float c90[3];
+    tl_u32 shares_at; /* row of the buffer: [rows][columns] */
+    float nadir[3];
+    tl_u32 columns; /* around, of a whole turn */
+    float c0[3];
+    tl_u32 rows;
+    tl_u32 first_row;         /* from the nadir, of the first that is there */
+    tl_u32 rows_of_half_turn; /* steps from the nadir to the zenith */
+    tl_u32 reserved[2];
+} tl_view_profile;
+TL_STATIC_ASSERT(sizeof(tl_view_profile) == 64, view_profile_is_four_rows);
 
 /* The shadow map of a light in the buffer of lights, and how a surface finds its place in it: shadow.h.
  * right, down and ahead are directions in view space: of a spot's map unit ones; of a cube's map the axes
@@ -139,7 +158,7 @@ typedef struct tl_view_shadow {
     tl_u32 filter;            /* width of what visibility is the mean over, texels */
     float scale;              /* texels per right/ahead, of perspective maps */
     float near;               /* m, of them: what stored depths are shares of */
-    float slope_x, slope_y;   /* of a plane's depth per texel: of right.n/facing, down.n/facing */
+    float slope_x, slope_y; /* of a plane's depth per texel: of right.n/facing, down.n/facing */
     /* m that a surface may lie off its place, with its depth d: slack + d (per_depth + d per_depth2) */
     float slack, slack_per_depth, slack_per_depth2;
     float offset; /* of the way to the light, of parallel maps m: TL_SHADOW_OFFSET */
@@ -176,7 +195,8 @@ typedef struct tl_view_sky_light {
     float right[3];
     tl_u32 texels_at; /* [count] of R, G, B, 0: all levels, one after another */
     float up[3];
-    tl_u32 levels_at; /* [TL_SKY_LEVELS] of a level's first texel, and its size without border */
+    tl_u32
+        levels_at; /* [TL_SKY_LEVELS] of a level's first texel, and its size without border */
     float ahead[3];
     tl_u32 table_at; /* [TL_SKY_TABLE][TL_SKY_TABLE] of shares */
     /* a channel's terms in the normal, in view space: 1, x, y, z, xx, yy, zz, xy, yz, zx, 0, 0 */

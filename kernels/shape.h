@@ -1,5 +1,5 @@
-/* Lights with more to them: falloff by a table, a picture that they shine through, an ambient lobe, a shadow
- * map.
+/* Lights with more to them: falloff by a table, a picture that they shine through, an ambient lobe, a profile, a
+ * shadow map.
  *
  * What few lights have stands apart from the rest, in a tl_view_shape behind the lights, and the light says
  * where by its `falloff`. Such a light is lit by the code here, one after another, and adds up in index order
@@ -10,11 +10,14 @@
  *   ambient  weight color albedo occlusion, without n.l: Policarpo and Fonseca, "Deferred Shading
  *            Tutorial" (2005), table 1, give every light an ambient colour. It counts where the light
  *            reaches, in cone and range, whatever the normal.
+ *   profile  what arrives, of every lobe, is the share of the largest intensity in the direction from the
+ *            light (profile.h).
  *   shadow   what arrives, of every lobe, is the share that nothing stands before (shadow.h). */
 #ifndef TL_SHAPE_H
 #define TL_SHAPE_H
 
 #include "light.h"
+#include "profile.h"
 #include "shadow.h"
 #include "texture.h"
 
@@ -68,6 +71,16 @@ TL_INLINE vec3 tint_of(tl_needs needs, tl_numbers numbers, tl_view_shape shape, 
     return map_around(numbers, shape.map, from);
 }
 
+/* The weight of a light by its profile. */
+TL_INLINE real
+profiled(tl_needs needs, tl_numbers numbers, tl_view_shape shape, vec3 l, real weight)
+{
+    const vec3 from = {-l.x, -l.y, -l.z};
+    if (!(needs.shapes & TL_SHAPE_PROFILE) || shape.profile_at == 0)
+        return weight;
+    return weight * profile_share(numbers, profile_behind(numbers, shape.profile_at), from);
+}
+
 /* What arrives of a light that has this shape: its weight, or less. */
 TL_INLINE real unshadowed(tl_needs needs,
                           tl_numbers numbers,
@@ -114,6 +127,7 @@ TL_INLINE received add_shaped_light(received sum,
     from.weight = shaped_fade(needs, numbers, shape, light, is_global, a.distance2,
                               from.distance, from.per_distance);
     from = through_cone(from, needs, spot, l, a.distance2);
+    from.weight = profiled(needs, numbers, shape, l, from.weight);
     from.weight = unshadowed(needs, numbers, shape, s, l, a, from);
     vec3 ambient = lanes_of(shape.ambient);
     if ((needs.shapes & (TL_SHAPE_PROJECTED | TL_SHAPE_AROUND)) && shape.map.pixels_at != 0) {

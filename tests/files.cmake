@@ -27,6 +27,7 @@ tl_test(test_lights_file_round_trip unit tl_files)
 tl_test(test_lights_file_refusals unit tl_files)
 tl_test(test_light_images unit tl_files)
 tl_test(test_light_control unit tl_files tl_frame)
+tl_test(test_photometry unit tl_files)
 tl_test(test_file_whole unit tl_files)
 target_include_directories(test_file_whole PRIVATE ${PROJECT_SOURCE_DIR}/host/files)
 

@@ -15,7 +15,8 @@
 #define OCCLUSION (TL_GROUP_BASE | TL_GROUP_OCCLUSION)
 #define EMISSION (TL_GROUP_BASE | TL_GROUP_EMISSIVE)
 #define INDEXED (TL_GROUP_BASE | TL_GROUP_BRDF)
-#define SHAPES (ON(TABLE) | ON(PROJECTED) | ON(AROUND) | ON(AMBIENT_LOBE) | ON(SHADOWS))
+#define SHAPES \
+    (ON(TABLE) | ON(PROJECTED) | ON(AROUND) | ON(PROFILES) | ON(AMBIENT_LOBE) | ON(SHADOWS))
 #define ANY_LIGHT .intensity = 1.0f, .diffuse = 1.0f
 
 typedef struct lamp {
@@ -25,7 +26,7 @@ typedef struct lamp {
     int has_cone;
     float cone; /* outer half-angle */
     float intensity, diffuse, specular, ambient;
-    int has_texture;
+    int has_texture, has_profile;
     int casts_shadow, has_map;
 } lamp;
 
@@ -101,6 +102,12 @@ static const scene minimal[TL_EFFECT_COUNT] = {
                           .needs = {.falloffs = FADE(INVERSE_SQUARE),
                                     .shapes = TL_SHAPE_AROUND},
                           .light_count = 1},
+    [TL_EFFECT_PROFILES] = {"a light with a profile", TL_GROUP_BASE,
+                            .lamps = {{ANY_LIGHT, .has_profile = 1}},
+                            .effects = ON(GLOBAL) | ON(INVERSE_SQUARE) | ON(PROFILES),
+                            .needs = {.falloffs = FADE(INVERSE_SQUARE),
+                                      .shapes = TL_SHAPE_PROFILE},
+                            .light_count = 1},
     [TL_EFFECT_AMBIENT_LOBE] =
         {"a light with an ambient lobe alone", TL_GROUP_BASE,
          .lamps = {{.intensity = 1.0f, .ambient = 0.5f, .is_directional = 1}},
@@ -302,7 +309,7 @@ static const scene others[] = {
      .lamps = {{.diffuse = 1.0f, .range = 1.0f}},
      .effects = ON(RANGED) | ON(DIRECTIONAL) | ON(INVERSE_SQUARE) | ON(LINEAR) |
                 ON(LINEAR_FROM) | ON(SPOTS) | ON(AMBIENT) | SHAPES,
-     .needs = {.falloffs = (1u << TL_FADE_COUNT) - 1u, .spots = 1, .ambient = 1, .shapes = 31},
+     .needs = {.falloffs = (1u << TL_FADE_COUNT) - 1u, .spots = 1, .ambient = 1, .shapes = 95},
      .light_count = 1, .idle = {[TL_IDLE_BLACK] = 1}},
     {"all effects of a frame with every plane", PHONG | OCCLUSION | EMISSION,
      .neutral = TL_THREE(TL_SPECULAR_R) | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE,
@@ -313,7 +320,7 @@ static const scene others[] = {
                .spots = 1,
                .specular = 1,
                .ambient = 1,
-               .shapes = 31}},
+               .shapes = 95}},
 };
 
 /* An image of one pixel. */
@@ -325,6 +332,19 @@ static uint32_t add_pixel(tl_light_set *set)
     assert_non_null(pixels);
     ASSERT_OK(tl_light_set_add_image(set, "one pixel", 1, 1, pixels, &image, &err), err);
     return image;
+}
+
+/* A profile that is alike in all directions. */
+static uint32_t add_alike(tl_light_set *set)
+{
+    tl_light_profile profile = {
+        .columns = 1, .rows = 2, .rows_of_half_turn = 1, .peak = 1.0, .shares = malloc(8)};
+    uint32_t number = 0;
+    tl_error err;
+    assert_non_null(profile.shares);
+    profile.shares[0] = profile.shares[1] = 1.0f;
+    ASSERT_OK(tl_light_set_add_profile(set, "alike", &profile, &number, &err), err);
+    return number;
 }
 
 /* Of a point light in the camera's place. */
@@ -361,6 +381,8 @@ static void add_lamp(tl_light_set *set, const lamp *from)
                   err);
     if (from->has_texture)
         light.texture = add_pixel(set);
+    if (from->has_profile)
+        light.profile = add_alike(set);
     ASSERT_OK(tl_light_set_add(set, &light, &err), err);
 }
 

@@ -237,6 +237,94 @@ static void maps_are_around_and_not_mirrored(void **state)
     tl_light_set_clear(&set);
 }
 
+/* Luminaires. Shares over 8 planes, 45 degrees apart, and rows from 90 - 45 (first) on. */
+static uint32_t add_profile(tl_light_set *set, uint32_t first_row, uint32_t rows)
+{
+    tl_light_profile profile = {.columns = 8,
+                                .rows = rows,
+                                .first_row = first_row,
+                                .rows_of_half_turn = 4,
+                                .peak = 20.0,
+                                .shares = malloc(8 * rows * sizeof(float))};
+    uint32_t number = 0, seed = 77;
+    tl_error err;
+    assert_non_null(profile.shares);
+    for (uint32_t i = 0; i < 8 * rows; i++)
+        profile.shares[i] = i % 8 > 0 && first_row == 0 && i < 8 ? profile.shares[0]
+                                                                 : uniform(&seed, 0.0f, 1.0f);
+    ASSERT_OK(tl_light_set_add_profile(set, "profile", &profile, &number, &err), err);
+    return number;
+}
+
+/* Around and down in degrees; no light above the last row or below the first. */
+static double given(const tl_light_profile *profile, double around, double down)
+{
+    const double x = (around < 0.0 ? around + 360.0 : around) / 45.0,
+                 y = down / 45.0 - profile->first_row;
+    const uint32_t i = (uint32_t)x, j = (uint32_t)fmin(floor(y), profile->rows - 2.0);
+    const float *const row = profile->shares + 8 * (size_t)j;
+    const double a = x - i, b = y - j;
+    if (y < 0.0 || y > profile->rows - 1.0)
+        return 0.0;
+    return (1 - b) * ((1 - a) * (double)row[i % 8] + a * (double)row[(i + 1) % 8]) +
+           b * ((1 - a) * (double)row[8 + i % 8] + a * (double)row[8 + (i + 1) % 8]);
+}
+
+static double degrees(double angle)
+{
+    return angle * 180.0 / pi;
+}
+
+/* It shines at the wall; C0 is up, and C90, against the clock from behind the lamp, left. */
+static double by_aimed_luminaire(const tl_light_set *set, const double p[3], int channel)
+{
+    const tl_light *light = &set->lights[0];
+    const double d = distance_to(light, p);
+    const double to[3] = {p[0] - (double)light->position[0], p[1] - (double)light->position[1],
+                          p[2] - (double)light->position[2]};
+    const double share =
+        given(&set->profiles[0], degrees(atan2(-to[0], to[1])), degrees(acos(-to[2] / d)));
+    (void)channel;
+    return 3.0 * 20.0 * share * cosine_to(light, p) / (d * d);
+}
+
+/* It hangs, and C0 is towards the wall: seam and level are on it. */
+static double by_hanging_luminaire(const tl_light_set *set, const double p[3], int channel)
+{
+    const tl_light *light = &set->lights[0];
+    const double d = distance_to(light, p);
+    const double to[3] = {p[0] - (double)light->position[0], p[1] - (double)light->position[1],
+                          p[2] - (double)light->position[2]};
+    const double share =
+        given(&set->profiles[0], degrees(atan2(-to[0], -to[2])), degrees(acos(-to[1] / d)));
+    (void)channel;
+    return 3.0 * share * cosine_to(light, p) / (d * d);
+}
+
+static void luminaires_hang_as_they_are_aimed(void **state)
+{
+    static const uint32_t rows[][2] = {{0, 5}, {0, 3}, {2, 3}}; /* all, below, above */
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(rows); i++) {
+        tl_light_set set = {0};
+        tl_light light = tl_light_default();
+        tl_error err;
+        light.position[0] = 0.3f;
+        light.position[2] = -1.5f;
+        light.intensity = 3.0f;
+        light.profile = add_profile(&set, rows[i][0], rows[i][1]);
+        ASSERT_OK(tl_light_set_add(&set, &light, &err), err);
+        expect_wall("aimed luminaire", &set, 0, by_aimed_luminaire);
+        set.lights[0].profile_scale = TL_PROFILE_PEAK;
+        memcpy(set.lights[0].direction, (float[]){0, -1, 0}, sizeof light.direction);
+        memcpy(set.lights[0].up, (float[]){0, 0, -1}, sizeof light.up);
+        expect_wall("hanging luminaire", &set, 0, by_hanging_luminaire);
+        memcpy(set.lights[0].up, (float[]){0, 0, 0}, sizeof light.up); /* it is the default */
+        expect_wall("luminaire by default", &set, 0, by_hanging_luminaire);
+        tl_light_set_clear(&set);
+    }
+}
+
 /* The ambient lobe: a lamp behind the wall, which it does not face, and occlusion 1/2. At the range the light
  * is half as bright as beside it, and beyond it is not. */
 static double by_ambient_lobe(const tl_light_set *set, const double p[3], int channel)
@@ -342,6 +430,7 @@ int main(void)
         cmocka_unit_test(tables_are_linear_between_samples),
         cmocka_unit_test(slides_are_upright_and_not_mirrored),
         cmocka_unit_test(maps_are_around_and_not_mirrored),
+        cmocka_unit_test(luminaires_hang_as_they_are_aimed),
         cmocka_unit_test(ambient_lobes_ask_for_no_normal),
         cmocka_unit_test(skies_are_where_the_ray_goes),
     };

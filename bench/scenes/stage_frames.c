@@ -5,20 +5,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Shadow maps are empty: each pixel looks up all that it would, and finds all of the light. */
+/* Shadow maps are empty, and profiles alike in all directions: each pixel looks up all that it would, and finds
+ * all of the light. */
 typedef struct stage_row {
     const char *name, *meaning;
-    const char *frame;      /* of the frames of effects */
-    uint32_t map_count;     /* lights of the frame, from its first on, that get a map */
-    uint32_t map_size;      /* texels each way */
+    const char *frame;  /* of the frames of effects */
+    uint32_t map_count; /* lights of the frame, from its first on, that get a map */
+    uint32_t map_size;  /* texels each way */
+    uint32_t
+        profile_count; /* lights of the frame that get a profile, alike in all directions */
     float occlusion_radius; /* m; 0: ambient light is not kept from anything */
 } stage_row;
 
 static const stage_row stages[] = {
-    {"shadows", "of a sun, in a map of 2048 texels each way", "sun", 1, 2048, 0.0f},
-    {"shadows", "of 16 of 1024 lamps, in six maps of 256 each", "gloss", 16, 256, 0.0f},
-    {"shadows", "of all of 1024 lamps, in six maps of 64 each", "gloss", 1024, 64, 0.0f},
-    {"ambient-occlusion", "within half a metre, in 64 looks a pixel", "spots", 0, 0, 0.5f},
+    {"shadows", "of a sun, in a map of 2048 texels each way", "sun", 1, 2048, 0, 0.0f},
+    {"shadows", "of 16 of 1024 lamps, in six maps of 256 each", "gloss", 16, 256, 0, 0.0f},
+    {"shadows", "of all of 1024 lamps, in six maps of 64 each", "gloss", 1024, 64, 0, 0.0f},
+    {"profiles", "of 16 of 1024 lamps", "gloss", 0, 0, 16, 0.0f},
+    {"profiles", "of all of 1024 lamps", "gloss", 0, 0, 1024, 0.0f},
+    {"ambient-occlusion", "within half a metre, in 64 looks a pixel", "spots", 0, 0, 0, 0.5f},
 };
 const int tl_stage_count = sizeof stages / sizeof stages[0];
 
@@ -29,7 +34,7 @@ tl_effect_frame_row tl_stage_about(int index)
 
 int tl_stage_keeps_bits(int index)
 {
-    return stages[index].map_count > 0;
+    return stages[index].map_count > 0 || stages[index].profile_count > 0;
 }
 
 static int frame_named(const char *name)
@@ -75,6 +80,30 @@ done:
     return status;
 }
 
+static tl_status add_profile(tl_light_set *lights, uint32_t *number, tl_error *err)
+{
+    tl_light_profile alike = {.columns = 24, .rows = 37, .rows_of_half_turn = 36, .peak = 1.0};
+    const size_t count = (size_t)alike.columns * alike.rows;
+    alike.shares = malloc(count * sizeof *alike.shares);
+    if (!alike.shares)
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for a profile");
+    for (size_t i = 0; i < count; i++)
+        alike.shares[i] = 1.0f;
+    return tl_light_set_add_profile(lights, "alike", &alike, number, err);
+}
+
+static tl_status give_profiles(const stage_row *of, tl_effect_frame *with, tl_error *err)
+{
+    tl_status status = TL_OK;
+    uint32_t number = 0;
+    if (of->profile_count > 0)
+        TRY(add_profile(&with->lights, &number, err));
+    for (uint32_t i = 0; i < of->profile_count && i < with->lights.count; i++)
+        with->lights.lights[i].profile = number;
+done:
+    return status;
+}
+
 tl_status tl_stage_make(int index,
                         uint32_t width,
                         uint32_t height,
@@ -87,6 +116,7 @@ tl_status tl_stage_make(int index,
     TRY(tl_effect_frame_make(frame_named(of->frame), width, height, without, err));
     TRY(tl_effect_frame_alike(without, with, err));
     TRY(cast_shadows(of, without, with, err));
+    TRY(give_profiles(of, with, err));
     with->lights.occlusion_radius = of->occlusion_radius;
 done:
     if (status != TL_OK) {

@@ -15,7 +15,7 @@ typedef struct type_info {
 } type_info;
 
 typedef struct shape_info {
-    size_t tables, textures, ambient; /* lights */
+    size_t tables, textures, profiles, ambient; /* lights */
 } shape_info;
 
 static shape_info shape_info_of(const tl_light_set *set)
@@ -24,6 +24,7 @@ static shape_info shape_info_of(const tl_light_set *set)
     for (size_t i = 0; i < set->count; i++) {
         out.tables += set->lights[i].table > 0;
         out.textures += set->lights[i].texture > 0;
+        out.profiles += set->lights[i].profile > 0;
         out.ambient += set->lights[i].ambient > 0.0f;
     }
     return out;
@@ -124,19 +125,48 @@ static json_t *rows_json(const tl_light_set *set)
     return out;
 }
 
-/* Lights with more than most have, and the pictures. */
+static void print_profile(const tl_light_profile *profile)
+{
+    printf("profile     ");
+    print_quoted(profile->path);
+    printf(", %.6g cd at most, %.6g lm", profile->peak, profile->flux);
+    if (profile->lamp_lumens >= 0.0)
+        printf(" of %.6g of its lamps", profile->lamp_lumens);
+    printf(", %u x %u angles", profile->columns, profile->rows);
+    if (profile->off > 0.0)
+        printf(", off by %.2g cd between the file's own", profile->off);
+    putchar('\n');
+}
+
+static json_t *profiles_json(const tl_light_set *set)
+{
+    json_t *out = json_array();
+    for (size_t i = 0; i < set->profile_count; i++) {
+        const tl_light_profile *p = &set->profiles[i];
+        json_array_append_new(out, json_pack("{ss* sf sf sf s[ii] sf}", "path", p->path,
+                                             "peak_cd", p->peak, "flux_lm", p->flux, "lamp_lm",
+                                             p->lamp_lumens, "angles", (int)p->columns,
+                                             (int)p->rows, "off_cd", p->off));
+    }
+    return out;
+}
+
+/* Lights with more than most have, the pictures and the profiles. */
 static void print_shapes(const tl_light_set *set)
 {
     const shape_info info = shape_info_of(set);
-    if (info.tables + info.textures + info.ambient > 0)
-        printf("of them     %zu with a falloff table, %zu with a texture, %zu with an ambient "
-               "lobe\n",
-               info.tables, info.textures, info.ambient);
+    if (info.tables + info.textures + info.profiles + info.ambient > 0)
+        printf(
+            "of them     %zu with a falloff table, %zu with a texture, %zu with a profile, %zu "
+            "with an ambient lobe\n",
+            info.tables, info.textures, info.profiles, info.ambient);
     for (size_t i = 0; i < set->image_count; i++) {
         printf("image       ");
         print_quoted(set->images[i].path);
         printf(", %u x %u pixels\n", set->images[i].width, set->images[i].height);
     }
+    for (size_t i = 0; i < set->profile_count; i++)
+        print_profile(&set->profiles[i]);
 }
 
 /* Where memory runs out, none is listed. */
@@ -242,10 +272,11 @@ json_t *info_lights_json(const tl_light_set *set)
     }
     json_t *shininess = set->has_shininess ? json_real((double)set->shininess) : json_null();
     const shape_info info = shape_info_of(set);
-    return json_pack("{sI so so ss so so so so so s{sI sI sI}}", "count",
+    return json_pack("{sI so so ss so so so so so so s{sI sI sI sI}}", "count",
                      (json_int_t)set->count, "ambient", tl_json_numbers(set->ambient, 3), "sky",
                      sky_json(set), "model", tl_model_words[set->model], "shininess", shininess,
                      "materials", rows_json(set), "types", types, "groups", groups_json(set),
-                     "images", images_json(set), "with", "table", (json_int_t)info.tables,
-                     "texture", (json_int_t)info.textures, "ambient", (json_int_t)info.ambient);
+                     "images", images_json(set), "profiles", profiles_json(set), "with",
+                     "table", (json_int_t)info.tables, "texture", (json_int_t)info.textures,
+                     "profile", (json_int_t)info.profiles, "ambient", (json_int_t)info.ambient);
 }

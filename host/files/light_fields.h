@@ -18,20 +18,23 @@ typedef enum tl_field_kind {
     TL_FIELD_NAME,    /* char [64] */
     TL_FIELD_TABLE,   /* uint32_t: 1 + index of the set's tables, as an array of numbers */
     TL_FIELD_IMAGE,   /* uint32_t: 1 + index of the set's images, as a path */
+    TL_FIELD_PROFILE, /* uint32_t: 1 + index of the set's profiles, as a path */
+    TL_FIELD_SCALE,   /* tl_profile_scale, as its word */
     TL_FIELD_FLAG     /* uint32_t: 0 or 1, as false or true */
 } tl_field_kind;
 
 typedef struct tl_light_field {
     const char *name;
     tl_field_kind kind;
-    size_t offset;    /* in tl_light */
-    unsigned types;   /* bit t: lights of type t may have it */
-    bool is_required; /* by those types; else tl_light_default has the default */
+    size_t offset;        /* in tl_light */
+    unsigned types;       /* bit t: lights of type t may have it */
+    unsigned required_by; /* those that must; for others tl_light_default has the default */
 } tl_light_field;
 
-enum { TL_LIGHT_FIELD_COUNT = 18 };
+enum { TL_LIGHT_FIELD_COUNT = 20 };
 
-/* `type` itself is not among them: it decides which of them apply. */
+/* `type` itself is not among them: it decides which of them apply. Of point lights those alone have a direction
+ * that have a profile. */
 extern const tl_light_field tl_light_fields[TL_LIGHT_FIELD_COUNT];
 
 #define TL_ANY_SKY (-1)

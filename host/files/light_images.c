@@ -33,8 +33,7 @@ tl_status tl_light_images_begin(tl_light_set *set, const char *file, tl_error *e
     return TL_OK;
 }
 
-/* The caller frees it. NULL where memory ran out. */
-static char *joined(const char *folder, const char *path)
+char *tl_light_path(const char *folder, const char *path)
 {
     const char *before = folder && path[0] != '/' ? folder : "";
     const size_t size = strlen(before) + strlen(path) + 1;
@@ -103,7 +102,7 @@ static tl_status add_picture(const tl_place *at,
     float *pixels = NULL;
     int is_png = 0;
     tl_error why;
-    char *const path = joined(set->folder, name);
+    char *const path = tl_light_path(set->folder, name);
     if (!path)
         TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for the name of a picture"));
     status = tl_image_read(path, &image, &is_png, &why);
@@ -172,16 +171,14 @@ static int is_same_folder(const char *a, const char *b)
     return same;
 }
 
-char *tl_light_image_name(const tl_light_set *set,
-                          const tl_light_image *image,
-                          const char *file)
+char *tl_light_file_name(const tl_light_set *set, const char *named, const char *file)
 {
     char *const folder = folder_of(file);
-    const int stands = image->path[0] == '/' || is_same_folder(set->folder, folder);
+    const int stands = named[0] == '/' || is_same_folder(set->folder, folder);
     free(folder);
     if (stands)
-        return joined(NULL, image->path);
-    char *const path = joined(set->folder, image->path);
+        return tl_light_path(NULL, named);
+    char *const path = tl_light_path(set->folder, named);
     char *const whole = path ? realpath(path, NULL) : NULL;
     if (whole) {
         free(path);

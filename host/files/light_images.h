@@ -16,9 +16,11 @@ tl_status tl_light_image_read(const tl_place *at,
                               uint32_t *out,
                               tl_error *err);
 
-/* How a picture of the set is named in `file`: *out, which the caller frees. NULL where memory ran out. */
-char *tl_light_image_name(const tl_light_set *set,
-                          const tl_light_image *image,
-                          const char *file);
+/* `path` as it is opened: relative to a folder of the set's. The caller frees it. NULL where memory ran out. */
+char *tl_light_path(const char *folder, const char *path);
+
+/* How a file that the set names `named` is named in `file`, which the caller frees. NULL where memory ran
+ * out. */
+char *tl_light_file_name(const tl_light_set *set, const char *named, const char *file);
 
 #endif

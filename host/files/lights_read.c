@@ -2,6 +2,7 @@
 
 #include "light_fields.h"
 #include "light_images.h"
+#include "light_profiles.h"
 #include "light_values.h"
 #include "material_rows_read.h"
 #include "sky_read.h"
@@ -31,6 +32,20 @@ static tl_status read_falloff(
         tl_read_word(at, field, value, tl_falloff_words, TL_FALLOFF_COUNT, &index, err);
     if (status == TL_OK)
         *out = (tl_falloff)index;
+    return status;
+}
+
+static tl_status read_scale(const tl_place *at,
+                            const char *field,
+                            const json_t *value,
+                            tl_profile_scale *out,
+                            tl_error *err)
+{
+    int index = 0;
+    const tl_status status = tl_read_word(at, field, value, tl_profile_scale_words,
+                                          TL_PROFILE_SCALE_COUNT, &index, err);
+    if (status == TL_OK)
+        *out = (tl_profile_scale)index;
     return status;
 }
 
@@ -90,6 +105,8 @@ static tl_status read_field(const tl_place *at,
     case TL_FIELD_FALLOFF: return read_falloff(at, field->name, value, to, err);
     case TL_FIELD_TABLE: return read_table(at, field->name, value, set, to, err);
     case TL_FIELD_IMAGE: return tl_light_image_read(at, field->name, value, set, to, err);
+    case TL_FIELD_PROFILE: return tl_light_profile_read(at, field->name, value, set, to, err);
+    case TL_FIELD_SCALE: return read_scale(at, field->name, value, to, err);
     case TL_FIELD_FLAG: return read_flag(at, field->name, value, to, err);
     case TL_FIELD_NAME: break;
     }
@@ -118,6 +135,26 @@ static tl_status read_member(const tl_place *at,
     return refuse_unknown(at, key, err);
 }
 
+/* A lamp hangs upright unless its profile is aimed. */
+static tl_status aim_point(const tl_place *at,
+                           const json_t *object,
+                           tl_light *light,
+                           tl_error *err)
+{
+    static const float down[3] = {0.0f, -1.0f, 0.0f};
+    const json_t *const direction = json_object_get(object, "direction");
+    if (light->type != TL_LIGHT_POINT)
+        return TL_OK;
+    if (direction && light->profile == 0)
+        return tl_fail(err, TL_ERR_FORMAT,
+                       "%s:%s a point light has no \"direction\" without a \"profile\"; remove "
+                       "it",
+                       at->source, at->inside);
+    if (!direction && light->profile > 0)
+        memcpy(light->direction, down, sizeof down);
+    return TL_OK;
+}
+
 static tl_status read_light(const char *source,
                             size_t index,
                             json_t *object,
@@ -140,11 +177,11 @@ static tl_status read_light(const char *source,
     json_object_foreach(object, key, value) TRY(read_member(&at, key, value, set, &light, err));
     for (size_t i = 0; i < TL_LIGHT_FIELD_COUNT; i++) {
         const tl_light_field *field = &tl_light_fields[i];
-        if (field->is_required && (field->types >> type & 1) &&
-            !json_object_get(object, field->name))
+        if ((field->required_by >> type & 1) && !json_object_get(object, field->name))
             TRY(tl_fail(err, TL_ERR_FORMAT, "%s:%s a %s light needs \"%s\"", source, at.inside,
                         tl_light_type_words[type], field->name));
     }
+    TRY(aim_point(&at, object, &light, err));
     *out = light;
 done:
     return status;

@@ -65,9 +65,9 @@ typedef struct writing {
     int failed; /* memory ran out */
 } writing;
 
-static void print_image(writing *w, uint32_t number)
+static void print_file(writing *w, const char *path)
 {
-    char *name = tl_light_image_name(w->set, &w->set->images[number - 1], w->file);
+    char *name = tl_light_file_name(w->set, path, w->file);
     w->failed |= !name;
     print_name(w->out, name ? name : "");
     free(name);
@@ -85,7 +85,11 @@ static void print_field(writing *w, const tl_light_field *field, const tl_light 
     else if (field->kind == TL_FIELD_TABLE)
         print_table(out, &w->set->tables[light->table - 1]);
     else if (field->kind == TL_FIELD_IMAGE)
-        print_image(w, light->texture);
+        print_file(w, w->set->images[light->texture - 1].path);
+    else if (field->kind == TL_FIELD_PROFILE)
+        print_file(w, w->set->profiles[light->profile - 1].path);
+    else if (field->kind == TL_FIELD_SCALE)
+        fprintf(out, "\"%s\"", tl_profile_scale_words[light->profile_scale]);
     else if (field->kind == TL_FIELD_FLAG)
         fputs(*(const uint32_t *)(const void *)at ? "true" : "false", out);
     else if (field->kind == TL_FIELD_FALLOFF)
@@ -104,9 +108,23 @@ static size_t field_size(tl_field_kind kind)
         [TL_FIELD_NAME] = 1, /* empty or not */
         [TL_FIELD_TABLE] = sizeof(uint32_t),
         [TL_FIELD_IMAGE] = sizeof(uint32_t),
+        [TL_FIELD_PROFILE] = sizeof(uint32_t),
+        [TL_FIELD_SCALE] = sizeof(tl_profile_scale),
         [TL_FIELD_FLAG] = sizeof(uint32_t),
     };
     return sizes[kind];
+}
+
+/* Which a point light has with a profile, and then always: its default is not that of others. */
+static int is_aim_of_point(const tl_light_field *field, const tl_light *light)
+{
+    return light->type == TL_LIGHT_POINT && field->offset == offsetof(tl_light, direction);
+}
+
+static int is_said(const tl_light_field *field, const tl_light *light)
+{
+    return (field->types >> light->type & 1) &&
+           (light->profile > 0 || !is_aim_of_point(field, light));
 }
 
 /* Fields that hold their default, bit for bit, are left out: a range of infinity among them, which
@@ -120,7 +138,8 @@ static void print_light(writing *w, const tl_light *light)
         const int differs =
             memcmp((const char *)light + field->offset, (const char *)&standard + field->offset,
                    field_size(field->kind)) != 0;
-        if ((field->types >> light->type & 1) && (field->is_required || differs))
+        if (is_said(field, light) && ((field->required_by >> light->type & 1) || differs ||
+                                      is_aim_of_point(field, light)))
             print_field(w, field, light);
     }
     fputs(" }", w->out);
@@ -176,7 +195,7 @@ static void print_sky(writing *w)
         if (field->kind == TL_FIELD_VECTOR)
             print_vector(w->out, at);
         else if (field->kind == TL_FIELD_IMAGE)
-            print_image(w, w->set->sky_image);
+            print_file(w, w->set->images[w->set->sky_image - 1].path);
         else
             print_number(w->out, *(const float *)at);
     }

@@ -37,10 +37,10 @@ uint32_t tl_effects_of_light(uint64_t all_causes, uint64_t light_causes)
 
 bool tl_effect_is_by_tile(tl_effect effect)
 {
-    static const uint32_t by_tile = 1u << TL_EFFECT_RANGED | 1u << TL_EFFECT_SPOTS |
-                                    1u << TL_EFFECT_SPECULAR | 1u << TL_EFFECT_TABLE |
-                                    1u << TL_EFFECT_PROJECTED | 1u << TL_EFFECT_AROUND |
-                                    1u << TL_EFFECT_AMBIENT_LOBE | 1u << TL_EFFECT_SHADOWS;
+    static const uint32_t by_tile =
+        1u << TL_EFFECT_RANGED | 1u << TL_EFFECT_SPOTS | 1u << TL_EFFECT_SPECULAR |
+        1u << TL_EFFECT_TABLE | 1u << TL_EFFECT_PROJECTED | 1u << TL_EFFECT_AROUND |
+        1u << TL_EFFECT_AMBIENT_LOBE | 1u << TL_EFFECT_SHADOWS | 1u << TL_EFFECT_PROFILES;
     return (by_tile >> effect & 1u) != 0;
 }
 

@@ -54,12 +54,12 @@ static tl_view_light directional(const tl_camera *camera,
 }
 
 /* Where the light gives less than `cutoff` (lx) on a surface that faces it. */
-static double cutoff_range(const tl_light *light, float cutoff)
+static double cutoff_range(const tl_light_set *set, const tl_light *light, float cutoff)
 {
     double most = 0.0;
     for (int i = 0; i < 3; i++)
         most = light->color[i] > (float)most ? (double)light->color[i] : most;
-    return sqrt(most * (double)light->intensity / (double)cutoff);
+    return sqrt(most * tl_light_candela(set, light) / (double)cutoff);
 }
 
 /* Between begin and range, kernels/falloff.h's linear-from. Its offset is 2^24 at most, for both are
@@ -106,7 +106,7 @@ static tl_view_light point(const tl_camera *camera,
         if (light->falloff == TL_FALLOFF_LINEAR && light->begin > 0.0f)
             fade_from(light, &v);
     } else if (cutoff > 0.0f) {
-        v.range2 = finite_square(cutoff_range(light, cutoff));
+        v.range2 = finite_square(cutoff_range(set, light, cutoff));
     }
     return v;
 }

@@ -58,9 +58,10 @@ static uint64_t causes_of_rows(const tl_brdf_table *table)
 /* One-colour is no effect to assume: it is another order of rounding. */
 static const uint64_t assumable =
     TL_BY(TL_CAUSE_TABLE) | TL_BY(TL_CAUSE_PROJECTED) | TL_BY(TL_CAUSE_AROUND) |
-    TL_BY(TL_CAUSE_AMBIENT_LOBE) | TL_BY(TL_CAUSE_SHADOW) | TL_BY(TL_CAUSE_DIRECTIONAL) |
-    TL_BY(TL_CAUSE_INVERSE_SQUARE) | TL_BY(TL_CAUSE_LINEAR) | TL_BY(TL_CAUSE_LINEAR_FROM) |
-    TL_BY(TL_CAUSE_HIGHLIGHT) | TL_BY(TL_CAUSE_CONE) | TL_BY(TL_CAUSE_AMBIENT);
+    TL_BY(TL_CAUSE_PROFILE) | TL_BY(TL_CAUSE_AMBIENT_LOBE) | TL_BY(TL_CAUSE_SHADOW) |
+    TL_BY(TL_CAUSE_DIRECTIONAL) | TL_BY(TL_CAUSE_INVERSE_SQUARE) | TL_BY(TL_CAUSE_LINEAR) |
+    TL_BY(TL_CAUSE_LINEAR_FROM) | TL_BY(TL_CAUSE_HIGHLIGHT) | TL_BY(TL_CAUSE_CONE) |
+    TL_BY(TL_CAUSE_AMBIENT);
 
 static const tl_cause sky_causes[TL_SKY_COUNT] = {
     [TL_SKY_CONSTANT] = TL_CAUSE_SKY,
@@ -164,6 +165,8 @@ void tl_causes_of_light(tl_explanation *explanation,
         tl_cause_found(explanation,
                        from->type == TL_LIGHT_SPOT ? TL_CAUSE_PROJECTED : TL_CAUSE_AROUND,
                        index);
+    if (from->profile > 0)
+        tl_cause_found(explanation, TL_CAUSE_PROFILE, index);
     if (from->ambient > 0.0f) {
         tl_cause_found(explanation, TL_CAUSE_AMBIENT_LOBE, index);
         explanation->causes |= TL_BY(TL_CAUSE_AMBIENT); /* what it dims, occlusion dims too */
@@ -210,7 +213,7 @@ static const struct {
 } shapes[] = {
     {TL_EFFECT_TABLE, TL_SHAPE_TABLE},    {TL_EFFECT_PROJECTED, TL_SHAPE_PROJECTED},
     {TL_EFFECT_AROUND, TL_SHAPE_AROUND},  {TL_EFFECT_AMBIENT_LOBE, TL_SHAPE_AMBIENT},
-    {TL_EFFECT_SHADOWS, TL_SHAPE_SHADOW},
+    {TL_EFFECT_SHADOWS, TL_SHAPE_SHADOW}, {TL_EFFECT_PROFILES, TL_SHAPE_PROFILE},
 };
 
 /* Lights keep their shapes when all of their effects are taken out. */

@@ -6,8 +6,10 @@
 #include "sections.h"
 #include "shadow_sections.h"
 #include "try.h"
+#include "view_profiles.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 void tl_lobe_color(const tl_light_set *set, const tl_light *light, float lobe, float out[3])
@@ -15,15 +17,15 @@ void tl_lobe_color(const tl_light_set *set, const tl_light *light, float lobe, f
     static const double per_pi = 0.31830988618379067154;
     const double scale = traits_of(set->model) & TL_LOBE_RADIOMETRIC ? per_pi : 1.0;
     for (int i = 0; i < 3; i++) {
-        const double c = (double)light->color[i] * (double)light->intensity * (double)lobe;
+        const double c = (double)light->color[i] * tl_light_candela(set, light) * (double)lobe;
         out[i] = (float)((c < (double)TL_BRIGHTEST ? c : (double)TL_BRIGHTEST) * scale);
     }
 }
 
 int tl_light_has_shape(const tl_gbuffer *gbuffer, const tl_light *light)
 {
-    return light->table > 0 || light->texture > 0 || light->ambient > 0.0f ||
-           tl_shadow_of(gbuffer, light) != NULL;
+    return light->table > 0 || light->texture > 0 || light->profile > 0 ||
+           light->ambient > 0.0f || tl_shadow_of(gbuffer, light) != NULL;
 }
 
 static double dot(const double a[3], const double b[3])
@@ -137,6 +139,21 @@ static tl_status add_texture(const tl_camera *camera,
     return tl_map_show(lights, light->texture, 1.0, prepared, &shape->map, err);
 }
 
+/* `shared`: of the set's profiles, where their shares are. The nadir is ahead along the light's direction, C0 to
+ * its top, as a spot's picture stands. */
+static tl_status add_profile(const tl_camera *camera,
+                             const tl_light_set *lights,
+                             const tl_light *light,
+                             tl_u32 *shared,
+                             tl_prepared *prepared,
+                             tl_view_shape *shape,
+                             tl_error *err)
+{
+    const stand s = stand_of_spot(light);
+    return tl_view_profile_add(camera, lights, light->profile, s.ahead, s.up, shared, prepared,
+                               &shape->profile_at, err);
+}
+
 static tl_status add_table(const tl_light_set *lights,
                            const tl_light *light,
                            tl_prepared *prepared,
@@ -154,12 +171,13 @@ static tl_status add_table(const tl_light_set *lights,
     return TL_OK;
 }
 
-/* Shape `index` of the section, of prepared light i. */
+/* Shape `index` of the section, of prepared light i. shared: as of add_profile. */
 static tl_status add_shape(const tl_gbuffer *gbuffer,
                            const tl_light_set *lights,
                            uint32_t shadow_filter,
                            uint32_t i,
                            uint32_t index,
+                           tl_u32 *shared,
                            tl_prepared *prepared,
                            tl_error *err)
 {
@@ -172,6 +190,8 @@ static tl_status add_shape(const tl_gbuffer *gbuffer,
         TRY(add_table(lights, light, prepared, &shape, err));
     if (light->texture > 0)
         TRY(add_texture(&gbuffer->camera, lights, light, prepared, &shape, err));
+    if (light->profile > 0)
+        TRY(add_profile(&gbuffer->camera, lights, light, shared, prepared, &shape, err));
     if (shadow)
         TRY(tl_shadow_section_add(gbuffer, shadow, shadow_filter, prepared, &shape.shadow_at,
                                   err));
@@ -189,19 +209,25 @@ tl_status tl_shapes_add(const tl_gbuffer *gbuffer,
 {
     tl_status status = TL_OK;
     uint32_t count = 0, index = 0;
+    tl_u32 *shared = NULL;
     for (uint32_t i = 0; i < prepared->frame.light_count; i++)
         count += (uint32_t)tl_light_has_shape(gbuffer, &lights->lights[prepared->sources[i]]);
     if (count == 0)
         return TL_OK;
     if (count > TL_BITS_OF_ONE - TL_FADE_COUNT)
         return tl_fail(err, TL_ERR_ARGUMENT,
-                       "%u lights with textures, tables, ambient lobes or shadows", count);
+                       "%u lights with textures, tables, profiles, ambient lobes or shadows",
+                       count);
+    shared = calloc(lights->profile_count + 1, sizeof *shared);
+    if (!shared)
+        TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for the profiles of lights"));
     TRY(tl_section_add(prepared, count * sizeof(tl_view_shape), &prepared->frame.shapes_at,
                        NULL, err));
     for (uint32_t i = 0; i < prepared->frame.light_count; i++)
         if (tl_light_has_shape(gbuffer, &lights->lights[prepared->sources[i]]))
-            TRY(add_shape(gbuffer, lights, shadow_filter, i, index++, prepared, err));
+            TRY(add_shape(gbuffer, lights, shadow_filter, i, index++, shared, prepared, err));
 done:
+    free(shared);
     return status;
 }
 

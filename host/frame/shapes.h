@@ -4,11 +4,11 @@
 
 #include "prepared.h"
 
-/* Whether the light has any of it: a falloff table, a texture, an ambient lobe, a shadow map. */
+/* Whether the light has any of it: a falloff table, a texture, a profile, an ambient lobe, a shadow map. */
 int tl_light_has_shape(const tl_gbuffer *gbuffer, const tl_light *light);
 
 /* Once all lights of the frame are there: gives those that call for it their shapes, and adds tables,
- * textures and shadow maps, which are looked up with a filter as wide. Fails as tl_section_add does. */
+ * textures, profiles and shadow maps, which are looked up with a filter as wide. Fails as tl_section_add does. */
 tl_status tl_shapes_add(const tl_gbuffer *gbuffer,
                         const tl_light_set *lights,
                         uint32_t shadow_filter,

@@ -330,8 +330,11 @@ static interval weight_on(const tl_prepared *prepared,
             ? tl_table_allowance(prepared, shape, (double)light.fade, w->distance)
             : weight_of(light, w);
     const interval seen = tl_shadow_allowance(prepared, shape, s, w, n_dot_l);
-    return (interval){falloff.low * cone->share.low * seen.low * (1.0 - 2.0 * U),
-                      falloff.high * cone->share.high * seen.high * (1.0 + 2.0 * U)};
+    const vec3 from = {-w->l.x, -w->l.y, -w->l.z};
+    const interval given = tl_profile_allowance(prepared, shape, from, w->l_moved);
+    return (interval){falloff.low * cone->share.low * given.low * seen.low * (1.0 - 3.0 * U),
+                      falloff.high * cone->share.high * given.high * seen.high *
+                          (1.0 + 3.0 * U)};
 }
 
 /* The lobe that asks for no normal: weight, colour and tint. */

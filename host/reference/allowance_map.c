@@ -4,6 +4,7 @@
  * manner are those of allowance.c. */
 #include "allowance_map.h"
 
+#include "profile.h"
 #include "sections.h"
 
 /* What a place on an axis rounds by beside its quotient or angle: product with the extent and sum with its
@@ -63,27 +64,29 @@ static long sample_of(axis a, double whole)
 
 /* The exact value at a place; *most grows to the samples that were touched. */
 static double shown_at(
-    const float *pixels, axis x, axis y, double at_x, double at_y, double *most)
+    const float *pixels, long stride, axis x, axis y, double at_x, double at_y, double *most)
 {
     const double left = floor(at_x), top = floor(at_y), fx = at_x - left, fy = at_y - top;
     double row[2];
     for (int i = 0; i < 2; i++) {
         const long line = sample_of(y, top + i) * x.count;
-        const double a = (double)pixels[4 * (line + sample_of(x, left))];
-        const double b = (double)pixels[4 * (line + sample_of(x, left + 1.0))];
+        const double a = (double)pixels[stride * (line + sample_of(x, left))];
+        const double b = (double)pixels[stride * (line + sample_of(x, left + 1.0))];
         *most = fmax(*most, fmax(a, b));
         row[i] = a * (1.0 - fx) + b * fx;
     }
     return row[0] * (1.0 - fy) + row[1] * fy;
 }
 
-static interval channel_allowance(const float *pixels, axis x, axis y)
+/* stride: floats from sample to sample. */
+static interval channel_allowance(const float *pixels, long stride, axis x, axis y)
 {
     interval out = {(double)INFINITY, 0.0};
     double most = 0.0;
     for (long j = 0; j < place_count(y); j++)
         for (long i = 0; i < place_count(x); i++) {
-            const double v = shown_at(pixels, x, y, place_of(x, i), place_of(y, j), &most);
+            const double v =
+                shown_at(pixels, stride, x, y, place_of(x, i), place_of(y, j), &most);
             out.low = fmin(out.low, v);
             out.high = fmax(out.high, v);
         }
@@ -136,25 +139,66 @@ static double turned(double moved, double length)
  * 4u. */
 static const double turn_error = 4.0; /* u */
 
-static void around_axes(const tl_view_map *map, vec3 d, double moved, axis *x, axis *y)
+/* Turns about an axis, and away from it. */
+typedef struct two_turns {
+    double longitude, colatitude, longitude_off, colatitude_off;
+} two_turns;
+
+/* Longitude from `ahead` towards `right`, -1/2 to 1/2; colatitude from `up`, 0 to 1/2. */
+static two_turns turns_of(vec3 d, double moved, vec3 to_right, vec3 to_up, vec3 to_ahead)
 {
     const double pi = 4.0 * atan(1.0), length = length_of(d);
-    const double right = dot3(d, vector_of(map->right)), up = dot3(d, vector_of(map->up)),
-                 ahead = dot3(d, vector_of(map->ahead));
+    const double right = dot3(d, to_right), up = dot3(d, to_up), ahead = dot3(d, to_ahead);
     const double level = hypot(right, ahead);
     /* In one of the map's directions, which are of length 1 to rounding; squares and root of the level. */
     const double one = (1.0 + 4.0 * U) * (moved + 3.0 * U * length) + flushed;
     const double level_moved = sqrt(2.0) * one + (2.0 + root) * U * length;
-    const double longitude = atan2(right, ahead) / (2.0 * pi),
-                 colatitude = atan2(level, up) / pi;
+    return (two_turns){.longitude = atan2(right, ahead) / (2.0 * pi),
+                       .colatitude = atan2(level, up) / (2.0 * pi),
+                       .longitude_off = turned(sqrt(2.0) * one, level) + turn_error * U,
+                       .colatitude_off =
+                           turned(hypot(level_moved, one), length) + turn_error * U};
+}
+
+static void around_axes(const tl_view_map *map, vec3 d, double moved, axis *x, axis *y)
+{
+    const two_turns of =
+        turns_of(d, moved, vector_of(map->right), vector_of(map->up), vector_of(map->ahead));
     const double width = (double)map->width, height = (double)map->height;
-    const double error_x =
-        width * (turned(sqrt(2.0) * one, level) + (turn_error + place_error) * U);
-    const double error_y = height * (2.0 * turned(hypot(level_moved, one), length) +
-                                     (2.0 * turn_error + place_error) * U);
-    const double at_x = width * (longitude + 0.5) - 0.5, at_y = height * colatitude - 0.5;
+    const double error_x = width * (of.longitude_off + place_error * U);
+    const double error_y = height * (2.0 * of.colatitude_off + place_error * U);
+    const double at_x = width * (of.longitude + 0.5) - 0.5,
+                 at_y = height * 2.0 * of.colatitude - 0.5;
     *x = (axis){{at_x - error_x, at_x + error_x}, (long)map->width, 1};
     *y = (axis){{at_y - error_y, at_y + error_y}, (long)map->height, 0};
+}
+
+/* Beyond the first and the last row there is nothing; what may be there may be nothing, too. */
+interval tl_profile_allowance(const tl_prepared *prepared,
+                              const tl_view_shape *shape,
+                              vec3 d,
+                              double moved)
+{
+    if (!shape || shape->profile_at == 0 || !(prepared->needs.shapes & TL_SHAPE_PROFILE))
+        return (interval){1.0, 1.0};
+    const tl_view_profile p = profile_behind((tl_numbers)prepared->lights, shape->profile_at);
+    const two_turns of =
+        turns_of(d, moved, vector_of(p.c90), vector_of(p.nadir), vector_of(p.c0));
+    const double columns = (double)p.columns, turn = 2.0 * (double)p.rows_of_half_turn;
+    const double at_x = columns * of.longitude,
+                 at_y = turn * of.colatitude - (double)p.first_row;
+    const double error_x = columns * (of.longitude_off + place_error * U);
+    const double error_y = turn * (of.colatitude_off + place_error * U);
+    const double last = (double)(p.rows - 1);
+    const axis x = {{at_x - error_x, at_x + error_x}, (long)p.columns, 1};
+    const axis y = {{at_y - error_y, at_y + error_y}, (long)p.rows, 0};
+    if (y.at.high < 0.0 || y.at.low > last)
+        return (interval){0.0, 0.0};
+    interval out =
+        channel_allowance(tl_section_at(prepared, p.shares_at), 1, bounded(x), bounded(y));
+    if (y.at.low < 0.0 || y.at.high > last)
+        out.low = 0.0;
+    return out;
 }
 
 void tl_map_allowance(const tl_prepared *prepared,
@@ -177,7 +221,7 @@ void tl_map_allowance(const tl_prepared *prepared,
     x = bounded(x);
     y = bounded(y);
     for (int c = 0; c < 3; c++)
-        out[c] = channel_allowance(pixels + c, x, y);
+        out[c] = channel_allowance(pixels + c, 4, x, y);
 }
 
 /* A product for the place, and another where fade is a quotient. */

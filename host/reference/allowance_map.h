@@ -13,6 +13,12 @@ void tl_map_allowance(const tl_prepared *prepared,
                       double moved,
                       interval out[3]);
 
+/* Of the profile of a light in direction d, as above; {1, 1} of one without. */
+interval tl_profile_allowance(const tl_prepared *prepared,
+                              const tl_view_shape *shape,
+                              vec3 d,
+                              double moved);
+
 /* Of a falloff table at these distances. */
 interval tl_table_allowance(const tl_prepared *prepared,
                             const tl_view_shape *shape,

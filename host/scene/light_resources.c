@@ -80,6 +80,37 @@ tl_status tl_light_set_add_image(tl_light_set *set,
     return TL_OK;
 }
 
+tl_status tl_light_set_add_profile(tl_light_set *set,
+                                   const char *path,
+                                   const tl_light_profile *profile,
+                                   uint32_t *out,
+                                   tl_error *err)
+{
+    const size_t length = strlen(path) + 1;
+    char *const copy = malloc(length);
+    tl_status status = copy ? TL_OK : tl_fail(err, TL_ERR_MEMORY, "out of memory for a path");
+    if (status == TL_OK)
+        status = grow((void **)&set->profiles, set->profile_count, sizeof *set->profiles, err);
+    if (status != TL_OK) {
+        free(copy);
+        free(profile->shares);
+        return status;
+    }
+    memcpy(copy, path, length);
+    set->profiles[set->profile_count] = *profile;
+    set->profiles[set->profile_count++].path = copy;
+    *out = (uint32_t)set->profile_count;
+    return TL_OK;
+}
+
+double tl_light_candela(const tl_light_set *set, const tl_light *light)
+{
+    const double intensity = (double)light->intensity;
+    if (light->profile == 0 || light->profile_scale == TL_PROFILE_PEAK)
+        return intensity;
+    return intensity * set->profiles[light->profile - 1].peak;
+}
+
 int tl_light_set_has_sky(const tl_light_set *set)
 {
     if (set->sky_type == TL_SKY_IMAGE)
@@ -103,8 +134,13 @@ void tl_light_resources_clear(tl_light_set *set)
         free(set->images[i].path);
         free(set->images[i].pixels);
     }
+    for (size_t i = 0; i < set->profile_count; i++) {
+        free(set->profiles[i].path);
+        free(set->profiles[i].shares);
+    }
     free(set->tables);
     free(set->images);
+    free(set->profiles);
     free(set->folder);
 }
 
@@ -138,7 +174,7 @@ static tl_status check_table(const tl_light_set *set,
     return TL_OK;
 }
 
-/* Up may be left to us; given, it must not be along the axis of a spot. */
+/* Up may be left to us; given, it must not be along the axis of a spot or a profile. */
 static tl_status check_up(const tl_light *light,
                           size_t index,
                           const char *source,
@@ -154,17 +190,20 @@ static tl_status check_up(const tl_light *light,
     if (!(length2 > 0.0))
         return isnan(length2) ? tl_light_refuse(light, index, source, err, "up is no number")
                               : TL_OK;
-    if (light->texture == 0)
+    if (light->texture == 0 && light->profile == 0)
         return tl_light_refuse(light, index, source, err,
-                               "up says where the top of a texture is, and there "
-                               "is none; remove it");
+                               "up says where the top of a texture is, or C0 of a profile, and "
+                               "there is neither; remove it");
     if (!(fabs(length2 - 1.0) <= 1e-3))
         return tl_light_refuse(light, index, source, err, "up (%g, %g, %g) is not of length 1",
                                (double)u[0], (double)u[1], (double)u[2]);
-    if (light->type == TL_LIGHT_SPOT && !(length2 - along * along > least_sine2))
+    if ((light->type == TL_LIGHT_SPOT || light->profile > 0) &&
+        !(length2 - along * along > least_sine2))
         return tl_light_refuse(light, index, source, err,
                                "up is along the direction of the light: the "
-                               "texture would have no top; choose another");
+                               "%s; choose another",
+                               light->profile > 0 ? "profile would have no plane C0"
+                                                  : "texture would have no top");
     return TL_OK;
 }
 
@@ -191,6 +230,30 @@ static tl_status check_texture(const tl_light_set *set,
     return TL_OK;
 }
 
+static tl_status check_profile(const tl_light_set *set,
+                               size_t index,
+                               const char *source,
+                               tl_error *err)
+{
+    const tl_light *light = &set->lights[index];
+    if ((unsigned)light->profile_scale >= TL_PROFILE_SCALE_COUNT)
+        return tl_light_refuse(light, index, source, err, "there is no profileScale %u",
+                               (unsigned)light->profile_scale);
+    if (light->profile == 0 && light->profile_scale != TL_PROFILE_CANDELA)
+        return tl_light_refuse(light, index, source, err,
+                               "profileScale says what a profile is scaled by, and there is "
+                               "none; remove it");
+    if (light->profile == 0)
+        return TL_OK;
+    if (light->profile > set->profile_count)
+        return tl_light_refuse(light, index, source, err, "there is no profile %u",
+                               light->profile);
+    if (light->type == TL_LIGHT_DIRECTIONAL)
+        return tl_light_refuse(light, index, source, err,
+                               "a directional light has no \"profile\"; remove it");
+    return TL_OK;
+}
+
 tl_status tl_light_resources_check(const tl_light_set *set,
                                    size_t index,
                                    const char *source,
@@ -199,6 +262,8 @@ tl_status tl_light_resources_check(const tl_light_set *set,
     tl_status status = check_table(set, index, source, err);
     if (status == TL_OK)
         status = check_texture(set, index, source, err);
+    if (status == TL_OK)
+        status = check_profile(set, index, source, err);
     if (status == TL_OK)
         status = check_up(&set->lights[index], index, source, err);
     return status;

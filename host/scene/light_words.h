@@ -6,6 +6,7 @@
 
 extern const char *const tl_light_type_words[TL_LIGHT_TYPE_COUNT];
 extern const char *const tl_falloff_words[TL_FALLOFF_COUNT];
+extern const char *const tl_profile_scale_words[TL_PROFILE_SCALE_COUNT];
 extern const char *const tl_sky_type_words[TL_SKY_COUNT];
 extern const char *const tl_model_words[TL_MODEL_COUNT];
 

@@ -80,7 +80,7 @@ static tl_status check_numbers(const tl_light *light,
                                tl_error *err)
 {
     const int placed = light->type != TL_LIGHT_DIRECTIONAL;
-    const int aimed = light->type != TL_LIGHT_POINT;
+    const int aimed = light->type != TL_LIGHT_POINT || light->profile > 0;
     const float *p = light->position, *d = light->direction, *c = light->color;
     const float reach = placed ? TL_FARTHEST : INFINITY;
     const float turn = aimed ? 1.0001f : INFINITY;
@@ -141,7 +141,8 @@ static tl_status check_direction(const tl_light *light,
 {
     const float *d = light->direction;
     const float length2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-    if (light->type == TL_LIGHT_POINT || fabsf(length2 - 1.0f) <= 1e-3f)
+    const int is_aimed = light->type != TL_LIGHT_POINT || light->profile > 0;
+    if (!is_aimed || fabsf(length2 - 1.0f) <= 1e-3f)
         return TL_OK;
     return tl_light_refuse(light, index, source, err,
                            "direction (%g, %g, %g) of a %s light is not of "

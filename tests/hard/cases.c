@@ -176,6 +176,19 @@ const hard_case hard_cases[] = {
      "Such pixels become the mean of their neighbours before anything is mixed.", "overte 2297",
      "pixels of a picture with four of them: finite", "seven taps across and down",
      hard_nan_bloom},
+    {39, "profile-seam",
+     "The first and the last plane of a light's profile do not meet: a stripe of light or "
+     "dark, or "
+     "one plane for the whole circle.",
+     "Planes come round: behind the last is the first, and one at 360 degrees is that at 0.",
+     "three.js 34626, Nabla 671", "directions around C0: the share in double",
+     "a texture that ends at its edges", hard_profile_seam},
+    {40, "profile-axis",
+     "The angle from the axis of a light is taken from its cosine, which near the axis tells "
+     "few angles apart, and is above 1.",
+     "It is an arc tangent of two sums, as accurate at the poles as elsewhere.",
+     "Q2RTX 214", "directions along narrow beams: the share in double",
+     "an arc cosine in float", hard_profile_axis},
 };
 
 const size_t hard_case_count = COUNT_OF(hard_cases);

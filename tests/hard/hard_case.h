@@ -110,5 +110,7 @@ void hard_far_shadow(hard_bench *bench);
 void hard_cube_seam(hard_bench *bench);
 void hard_flat_occlusion(hard_bench *bench);
 void hard_pane_order(hard_bench *bench);
+void hard_profile_seam(hard_bench *bench);
+void hard_profile_axis(hard_bench *bench);
 
 #endif

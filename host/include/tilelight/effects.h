@@ -35,6 +35,7 @@ typedef enum tl_cause_kind {
     X(TL_CAUSE_TABLE, TL_CAUSE_OF_LIGHTS, "light with a falloff table")                    \
     X(TL_CAUSE_PROJECTED, TL_CAUSE_OF_LIGHTS, "spot light with a texture")                 \
     X(TL_CAUSE_AROUND, TL_CAUSE_OF_LIGHTS, "point light with a texture")                   \
+    X(TL_CAUSE_PROFILE, TL_CAUSE_OF_LIGHTS, "light with a profile")                        \
     X(TL_CAUSE_AMBIENT_LOBE, TL_CAUSE_OF_LIGHTS, "light with an ambient lobe")             \
     X(TL_CAUSE_SHADOW, TL_CAUSE_OF_LIGHTS, "light with a shadow map")                      \
     X(TL_CAUSE_HIGHLIGHT, TL_CAUSE_OF_LIGHTS, "light with a specular lobe")                \
@@ -95,6 +96,8 @@ typedef char tl_causes_fit[TL_CAUSE_COUNT <= 64 ? 1 : -1];
       TL_BY(TL_CAUSE_PROJECTED), 0, "TL_SHAPES")                                               \
     X(TL_EFFECT_AROUND, "point-textures", "pictures all around lamps", TL_BY(TL_CAUSE_AROUND), \
       0, "TL_SHAPES")                                                                          \
+    X(TL_EFFECT_PROFILES, "profiles", "intensities of lights by direction, from IES files",    \
+      TL_BY(TL_CAUSE_PROFILE), 0, "TL_SHAPES")                                                 \
     X(TL_EFFECT_AMBIENT_LOBE, "light-ambient",                                                 \
       "a share of lights on the albedo, whatever the normal", TL_BY(TL_CAUSE_AMBIENT_LOBE), 0, \
       "TL_SHAPES")                                                                             \
@@ -183,12 +186,13 @@ bool tl_effect_is_by_tile(tl_effect effect);
 const char *tl_effect_bound(tl_effect effect);
 
 /* X(name, word on the command line, meaning) */
-#define TL_EFFECTS_MODES(X)                                                                \
-    X(TL_EFFECTS_AUTO, "auto", "what the frame calls for")                                 \
-    X(TL_EFFECTS_ALL, "all",                                                               \
-      "also what adds nothing: every falloff, cones, textures, ambient lobes and shadows " \
-      "of lights, ambient light, highlights, "                                             \
-      "occlusion and emission as far as the frame has planes for them, lights that give "  \
+#define TL_EFFECTS_MODES(X)                                                                  \
+    X(TL_EFFECTS_AUTO, "auto", "what the frame calls for")                                   \
+    X(TL_EFFECTS_ALL, "all",                                                                 \
+      "also what adds nothing: every falloff, cones, textures, profiles, ambient lobes and " \
+      "shadows "                                                                             \
+      "of lights, ambient light, highlights, "                                               \
+      "occlusion and emission as far as the frame has planes for them, lights that give "    \
       "nothing")
 
 typedef enum tl_effects_mode {

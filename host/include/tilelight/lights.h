@@ -61,15 +61,46 @@ typedef struct tl_light_image {
 #define TL_MOST_IMAGE_EXTENT 8192u      /* px, each way */
 #define TL_MOST_IMAGE_PIXELS (1u << 25) /* 8192 x 4096: half a GiB as kernels have it */
 
+/* How much of its largest intensity a light gives by direction, from an IES file (tilelight/photometry.h): read
+ * once, however many lights name it. Shares stand on an even grid of angles: columns around from C0, which come
+ * round, one where all are alike; rows from the nadir, which begin at row first_row of rows_of_half_turn. */
+typedef struct tl_light_profile {
+    char *path; /* as files name it; owned by the set */
+    uint32_t columns, rows, first_row, rows_of_half_turn;
+    float *shares;      /* [rows][columns], of the peak, 0 to 1; owned by the set */
+    double peak;        /* cd */
+    double flux;        /* lm, of the whole light */
+    double lamp_lumens; /* that the file says lamps have; below 0: none */
+    double off; /* cd that the grid is off between the file's own angles; 0: it has them all */
+} tl_light_profile;
+
+#define TL_MOST_PROFILE_SAMPLES (1u << 21)
+
+/* X(name, word in files) What the intensity of a light with a profile is: a factor on the candela of the
+ * file, or those of its peak. */
+#define TL_PROFILE_SCALES(X)         \
+    X(TL_PROFILE_CANDELA, "candela") \
+    X(TL_PROFILE_PEAK, "peak")
+
+typedef enum tl_profile_scale {
+#define TL_PROFILE_SCALE_NAME(name, word) name,
+    TL_PROFILE_SCALES(TL_PROFILE_SCALE_NAME)
+#undef TL_PROFILE_SCALE_NAME
+        TL_PROFILE_SCALE_COUNT
+} tl_profile_scale;
+
 typedef struct tl_light {
     tl_light_type type;
     tl_falloff falloff; /* point and spot */
     float position[3];  /* m; point and spot */
-    float direction[3]; /* unit, along the light's rays; directional and spot */
-    float color[3];     /* linear Rec. 709, >= 0 */
-    float intensity;    /* cd for point and spot, lx for directional, >= 0 */
-    float range;        /* m, > 0; INFINITY reaches everything. Linear needs a finite one */
-    float begin;        /* m, 0 to range: linear falls from here on; 0 for the others */
+    /* unit, along the light's rays, and where the nadir of a profile is; directional and spot, and point
+     * with a profile */
+    float direction[3];
+    float color[3]; /* linear Rec. 709, >= 0 */
+    /* cd for point and spot, lx for directional, >= 0; with a profile what profile_scale says */
+    float intensity;
+    float range; /* m, > 0; INFINITY reaches everything. Linear needs a finite one */
+    float begin; /* m, 0 to range: linear falls from here on; 0 for the others */
     float diffuse, specular;      /* scales of the two lobes, >= 0 */
     float ambient;                /* scale of what arrives without regard to the normal, >= 0 */
     float inner_cone, outer_cone; /* half-angles in radians, 0 <= inner <= outer <= pi; spot */
@@ -77,7 +108,10 @@ typedef struct tl_light {
     /* 1 + index of the set's images that colours are multiplied with; point, and spot with an
      * outer cone below pi/2; 0: none */
     uint32_t texture;
-    /* unit, world space: which way the top of the texture is; 0 0 0: the default, docs/conventions.md */
+    uint32_t profile; /* 1 + index of the set's profiles; point and spot; 0: none */
+    tl_profile_scale profile_scale;
+    /* unit, world space: which way the top of the texture and C0 of the profile are; 0 0 0: the default,
+     * docs/conventions.md */
     float up[3];
     uint32_t casts_shadow; /* 1: surfaces stand in its way, where a G-buffer has a map of it */
     char name[64];         /* for messages; may be empty */
@@ -111,7 +145,7 @@ typedef enum tl_sky {
         TL_SKY_COUNT
 } tl_sky;
 
-/* lights, materials, tables and images are owned by the set; release with tl_light_set_clear. All zero is a
+/* lights, materials, tables, images and profiles are owned by the set; release with tl_light_set_clear. All zero is a
  * valid empty set. */
 typedef struct tl_light_set {
     float ambient[3]; /* linear Rec. 709; multiplies albedo and occlusion */
@@ -132,10 +166,12 @@ typedef struct tl_light_set {
     tl_light *lights; /* [count] */
     size_t material_count;
     tl_material_row *materials; /* [material_count] */
-    size_t table_count, image_count;
-    tl_light_table *tables; /* [table_count] */
-    tl_light_image *images; /* [image_count] */
-    char *folder; /* that paths of images are relative to, owned; NULL: the working directory */
+    size_t table_count, image_count, profile_count;
+    tl_light_table *tables;     /* [table_count] */
+    tl_light_image *images;     /* [image_count] */
+    tl_light_profile *profiles; /* [profile_count] */
+    char *
+        folder; /* that paths of images and profiles are relative to, owned; NULL: the working directory */
 } tl_light_set;
 
 /* A white point light at the origin: inverse square, 1 cd, no range, both lobes 1; a spot's cone
@@ -169,6 +205,17 @@ tl_status tl_light_set_add_image(tl_light_set *set,
                                  uint32_t *out,
                                  tl_error *err);
 
+/* Appends a profile with a copy of `path`; *out becomes what tl_light.profile is to be. Takes its shares, from
+ * malloc, also where it fails, with TL_ERR_MEMORY. */
+tl_status tl_light_set_add_profile(tl_light_set *set,
+                                   const char *path,
+                                   const tl_light_profile *profile,
+                                   uint32_t *out,
+                                   tl_error *err);
+
+/* cd or lx, along the light's brightest direction: its intensity, and with a profile what that makes of it. */
+double tl_light_candela(const tl_light_set *set, const tl_light *light);
+
 /* Whether it shows something where nothing was hit. */
 int tl_light_set_has_sky(const tl_light_set *set);
 
@@ -190,7 +237,7 @@ tl_status tl_light_set_add_rig(tl_light_set *set, const tl_camera *camera, tl_er
 /* Lights files: JSON, described in docs/file-formats.md. `path` may be "-" for standard input. An
  * unknown field, a value of the wrong type, NaN or infinity fails with TL_ERR_FORMAT, a feature
  * that this version lacks with TL_ERR_UNSUPPORTED, each naming the light and the field; else
- * TL_ERR_READ or TL_ERR_MEMORY. Pictures that lights and sky name are read with it, relative to the
+ * TL_ERR_READ or TL_ERR_MEMORY. Pictures and profiles that lights and sky name are read with it, relative to the
  * folder of the file: of `path`, or of `file`, NULL for the working directory. *set is replaced on success
  * and left alone on failure. */
 tl_status tl_lights_read(const char *path, tl_light_set *set, tl_error *err);
@@ -206,7 +253,7 @@ tl_status tl_lights_parse(const char *text,
  * with the status of what is wrong with it, in a sentence that names it, or TL_ERR_MEMORY. */
 tl_status tl_light_set_read_sky(tl_light_set *set, const char *path, tl_error *err);
 
-/* The same set as text that tl_lights_parse reads back bit for bit. Images are named as they are in the
+/* The same set as text that tl_lights_parse reads back bit for bit. Files are named as they are in the
  * set, or by absolute paths where `file` (NULL: the working directory), which the text is for, lies in
  * another folder than theirs are relative to. The caller frees *out. Fails with TL_ERR_MEMORY, or with
  * TL_ERR_WRITE where the text is larger than the 64 MiB that reading takes. */
