@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-#define ON(effect) (1u << TL_EFFECT_##effect)
+#define ON(effect) TL_ON(TL_EFFECT_##effect)
 #define FADE(row) (1u << TL_FADE_##row)
 #define PHONG (TL_GROUP_BASE | TL_GROUP_PHONG)
 #define METAL (TL_GROUP_BASE | TL_GROUP_METAL_ROUGH)
@@ -49,7 +49,7 @@ typedef struct scene {
     int without_layers; /* though it has some */
     enum tl_layout_name layout;
     tl_effects_mode mode;
-    uint32_t effects; /* expected: all of them */
+    uint64_t effects; /* expected: all of them */
     struct {
         tl_u32 falloffs, spots, specular, ambient, orthographic, one_color, idle,
             fixed_exponent, shapes, sky, surroundings, sky_light;
@@ -432,7 +432,7 @@ static tl_prepared prepared_of(const scene *s)
     return prepared;
 }
 
-static void expect_effects(const scene *s, uint32_t got)
+static void expect_effects(const scene *s, uint64_t got)
 {
     for (int i = 0; i < TL_EFFECT_COUNT; i++)
         if ((got >> i & 1) != (s->effects >> i & 1))

@@ -256,7 +256,7 @@ static void frames_without_layers_pay_nothing(void **state)
     frame with = take(LAYERS), without = take(0);
     const trace none = traced(*state, &without, TL_MOST_LAYERS);
     const trace off = traced(*state, &with, 0), on = traced(*state, &with, TL_MOST_LAYERS);
-    const uint32_t effect = 1u << TL_EFFECT_TRANSLUCENCY;
+    const uint64_t effect = TL_ON(TL_EFFECT_TRANSLUCENCY);
     assert_string_equal(none.build, off.build);
     assert_string_equal(none.build, on.build); /* of its surfaces */
     assert_int_equal(none.counts.device_bytes, off.counts.device_bytes);

@@ -9,7 +9,7 @@
 
 static tl_status shade(const job *j,
                        tl_lighting *lighting,
-                       uint32_t without,
+                       uint64_t without,
                        tl_image *image,
                        double *ms,
                        tl_error *err)
@@ -20,13 +20,13 @@ static tl_status shade(const job *j,
 /* By turns, after once each, for which kernels are built. ms[0] with the effect, ms[1] without. */
 static tl_status take_pairs(const job *j,
                             tl_lighting *lighting,
-                            uint32_t without,
+                            uint64_t without,
                             tl_image *image,
                             tl_samples *all,
                             tl_samples *more,
                             tl_error *err)
 {
-    const uint32_t lacks[2] = {0, without};
+    const uint64_t lacks[2] = {0, without};
     double ms[2];
     tl_status status = TL_OK;
     for (int i = -1; i < COST_RUNS; i++) {
@@ -52,7 +52,7 @@ static tl_status measure(const job *j,
     effect_cost *cost = &e->costs[effect];
     tl_samples all = {0}, more = {0};
     tl_status status = TL_OK;
-    TRY(take_pairs(j, lighting, 1u << effect, image, &all, &more, err));
+    TRY(take_pairs(j, lighting, TL_ON(effect), image, &all, &more, err));
     const tl_summary with = tl_samples_summarize(&all), by = tl_samples_summarize(&more);
     cost->is_known = true;
     cost->ms = by.median;

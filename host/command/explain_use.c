@@ -72,22 +72,22 @@ static uint64_t causes_of_tile(const job *j, const explained *e, uint32_t tile, 
 }
 
 /* The effects that lights which reach everything call for. */
-static uint32_t effects_of_globals(const tl_effect_use *of_lights)
+static uint64_t effects_of_globals(const tl_effect_use *of_lights)
 {
-    uint32_t effects = 0;
+    uint64_t effects = 0;
     for (int i = 0; i < TL_EFFECT_COUNT; i++)
         if (of_lights->global_lights[i] > 0)
-            effects |= 1u << i;
+            effects |= TL_ON(i);
     return effects;
 }
 
 /* Effects that no cause of lights is needed for. */
-static uint32_t effects_without_lights(void)
+static uint64_t effects_without_lights(void)
 {
     return ~tl_effects_of_light(~0ull, ~0ull);
 }
 
-static void count_tile(explained *e, uint32_t used)
+static void count_tile(explained *e, uint64_t used)
 {
     for (int i = 0; i < TL_EFFECT_COUNT; i++)
         e->use[i].tiles += used >> i & 1u;
@@ -98,16 +98,17 @@ tl_status explain_find_use(const job *j,
                            explained *e,
                            tl_error *err)
 {
-    const uint32_t tiles = e->tiles_x * e->tiles_y, of_globals = effects_of_globals(of_lights);
+    const uint32_t tiles = e->tiles_x * e->tiles_y;
+    const uint64_t of_globals = effects_of_globals(of_lights);
     uint32_t *planes = malloc(((size_t)tiles + 1) * sizeof *planes), lit_tiles = 0;
     tl_status status = TL_OK;
     if (!planes)
         TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for the planes of %u tiles", tiles));
     TRY(find_planes(j->gbuffer, e->tile_size, planes, err));
     for (uint32_t t = 0; t < tiles; t++) {
-        const uint32_t lights =
+        const uint64_t lights =
             e->surfaces[t] > 0 ? of_lights->tiles[t] | of_globals : of_lights->tiles[t];
-        const uint32_t possible = tl_effects_of(causes_of_tile(j, e, t, planes[t]));
+        const uint64_t possible = tl_effects_of(causes_of_tile(j, e, t, planes[t]));
         count_tile(e, e->of.effects & possible & (lights | effects_without_lights()));
         lit_tiles += e->surfaces[t] > 0;
     }

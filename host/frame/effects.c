@@ -1,7 +1,5 @@
 #include "tilelight/effects.h"
 
-_Static_assert(TL_EFFECT_COUNT <= 32, "effects are bits of 32");
-
 const tl_effect_row tl_effect_rows[TL_EFFECT_COUNT] = {
 #define ROW(name, word, computes, causes, planes, option) \
     [name] = {word, computes, causes, planes, option},
@@ -25,22 +23,22 @@ static uint64_t causes_of_lights(void)
 }
 
 /* Without a cause of lights an effect is called for by no light. */
-uint32_t tl_effects_of_light(uint64_t all_causes, uint64_t light_causes)
+uint64_t tl_effects_of_light(uint64_t all_causes, uint64_t light_causes)
 {
     const uint64_t of_lights = causes_of_lights();
-    uint32_t effects = tl_effects_of((all_causes & ~of_lights) | light_causes);
+    uint64_t effects = tl_effects_of((all_causes & ~of_lights) | light_causes);
     for (int i = 0; i < TL_EFFECT_COUNT; i++)
         if (!(tl_effect_rows[i].causes & of_lights))
-            effects &= ~(1u << i);
+            effects &= ~TL_ON(i);
     return effects;
 }
 
 bool tl_effect_is_by_tile(tl_effect effect)
 {
-    static const uint32_t by_tile =
-        1u << TL_EFFECT_RANGED | 1u << TL_EFFECT_SPOTS | 1u << TL_EFFECT_SPECULAR |
-        1u << TL_EFFECT_TABLE | 1u << TL_EFFECT_PROJECTED | 1u << TL_EFFECT_AROUND |
-        1u << TL_EFFECT_AMBIENT_LOBE | 1u << TL_EFFECT_SHADOWS | 1u << TL_EFFECT_PROFILES;
+    static const uint64_t by_tile =
+        TL_ON(TL_EFFECT_RANGED) | TL_ON(TL_EFFECT_SPOTS) | TL_ON(TL_EFFECT_SPECULAR) |
+        TL_ON(TL_EFFECT_TABLE) | TL_ON(TL_EFFECT_PROJECTED) | TL_ON(TL_EFFECT_AROUND) |
+        TL_ON(TL_EFFECT_AMBIENT_LOBE) | TL_ON(TL_EFFECT_SHADOWS) | TL_ON(TL_EFFECT_PROFILES);
     return (by_tile >> effect & 1u) != 0;
 }
 
@@ -67,11 +65,11 @@ const char *tl_effect_bound(tl_effect effect)
     return bound_by[effect];
 }
 
-uint32_t tl_effects_of(uint64_t causes)
+uint64_t tl_effects_of(uint64_t causes)
 {
-    uint32_t on = 0;
+    uint64_t on = 0;
     for (int i = 0; i < TL_EFFECT_COUNT; i++)
         if ((tl_effect_rows[i].causes & ~causes) == 0)
-            on |= 1u << i;
+            on |= TL_ON(i);
     return on;
 }

@@ -54,7 +54,7 @@ typedef struct tl_prepare_options {
     uint32_t split;             /* tl_lighting_options.split */
     /* [lights of the set]: 1: the light is lit. Of others is taken what kernels are built for. NULL: all are */
     const uint8_t *lit;
-    uint32_t without; /* effects that are taken out, bits 1 << tl_effect: another picture */
+    uint64_t without; /* effects that are taken out, bits TL_ON(effect): another picture */
     uint32_t layers;  /* of those of the frame, how many are lit, each prepared by itself */
 } tl_prepare_options;
 

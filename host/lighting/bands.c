@@ -305,10 +305,10 @@ static void keep_list(
     kept->lights[tile] = end - start;
     kept->effects[tile] = 0;
     for (cl_uint i = start; i < end; i++) {
-        const uint32_t effects = kept->light_effects[list[i]];
+        const uint64_t effects = kept->light_effects[list[i]];
         kept->effects[tile] |= effects;
-        for (uint32_t rest = effects; rest; rest &= rest - 1)
-            kept->pairs[__builtin_ctz(rest)]++;
+        for (uint64_t rest = effects; rest; rest &= rest - 1)
+            kept->pairs[__builtin_ctzll(rest)]++;
     }
 }
 

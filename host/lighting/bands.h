@@ -8,10 +8,10 @@
 /* What is kept of the lists of a frame: arrays of the caller's. */
 typedef struct tl_kept_lists {
     uint32_t *lights; /* [tiles_y][tiles_x] of the frame: gets lengths of lists */
-    /* the same: gets the effects that listed lights call for, bits 1 << effect */
-    uint32_t *effects;
+    /* the same: gets the effects that listed lights call for, bits TL_ON(effect) */
+    uint64_t *effects;
     uint64_t *pairs; /* [TL_EFFECT_COUNT]: is raised by the entries that call for it */
-    const uint32_t *light_effects; /* [light_count]: what each light calls for */
+    const uint64_t *light_effects; /* [light_count]: what each light calls for */
 } tl_kept_lists;
 
 typedef struct tl_band_options {

@@ -357,10 +357,10 @@ static tl_lighting_counts counts_of(const tl_prepared *prepared)
 }
 
 /* *array becomes one of `count`, what was in it lost. */
-static tl_status reserve(uint32_t **array, size_t count, tl_error *err)
+static tl_status reserve(void **array, size_t count, size_t size, tl_error *err)
 {
     free(*array);
-    *array = malloc((count + 1) * sizeof **array);
+    *array = malloc((count + 1) * size);
     return *array ? TL_OK
                   : tl_fail(err, TL_ERR_MEMORY,
                             "out of memory for what tiles and lights call for");
@@ -371,12 +371,15 @@ static tl_status reserve_kept(tl_lighting *lighting, size_t tiles, size_t lights
     tl_status status = TL_OK;
     if (tiles > lighting->tile_capacity) {
         lighting->tile_capacity = 0;
-        TRY(reserve(&lighting->tile_lights, tiles, err));
-        TRY(reserve(&lighting->tile_effects, tiles, err));
+        TRY(reserve((void **)&lighting->tile_lights, tiles, sizeof *lighting->tile_lights,
+                    err));
+        TRY(reserve((void **)&lighting->tile_effects, tiles, sizeof *lighting->tile_effects,
+                    err));
         lighting->tile_capacity = tiles;
     }
     if (lights > lighting->light_capacity || !lighting->light_effects) {
-        TRY(reserve(&lighting->light_effects, lights, err));
+        TRY(reserve((void **)&lighting->light_effects, lights, sizeof *lighting->light_effects,
+                    err));
         lighting->light_capacity = lights;
     }
 done:
@@ -392,7 +395,7 @@ static tl_status keep_tiles(tl_lighting *lighting,
     const tl_explanation *explanation = &prepared->explanation;
     const int has_lists = !tl_lighting_is_on_host(lighting);
     tl_effect_use *use = &lighting->use;
-    uint32_t all = 0;
+    uint64_t all = 0;
     tl_status status = TL_OK;
     if (!lighting->options.keeps_tile_lights)
         return TL_OK;
@@ -400,13 +403,14 @@ static tl_status keep_tiles(tl_lighting *lighting,
     *use = (tl_effect_use){.tiles = lighting->tile_effects};
     for (uint32_t i = 0; i < prepared->frame.light_count; i++) {
         const int is_global = i < prepared->frame.global_count;
-        const uint32_t effects = tl_effects_of_light(explanation->causes | explanation->assumed,
+        const uint64_t effects = tl_effects_of_light(explanation->causes | explanation->assumed,
                                                      prepared->light_causes[i]);
         lighting->light_effects[i] = effects;
         all |= is_global ? 0 : effects;
-        for (uint32_t rest = effects; rest; rest &= rest - 1) {
-            use->global_lights[__builtin_ctz(rest)] += (uint32_t)is_global;
-            use->pairs[__builtin_ctz(rest)] += is_global || has_lists ? 0 : counts->tile_count;
+        for (uint64_t rest = effects; rest; rest &= rest - 1) {
+            use->global_lights[__builtin_ctzll(rest)] += (uint32_t)is_global;
+            use->pairs[__builtin_ctzll(rest)] +=
+                is_global || has_lists ? 0 : counts->tile_count;
         }
     }
     for (uint32_t i = 0; i < counts->tile_count; i++) {
@@ -458,7 +462,7 @@ tl_status tl_lighting_surface(tl_lighting *lighting,
                               .layers = options->layers,
                               .split = options->split,
                               .lit = part ? part->lit : NULL,
-                              .without = part && part->alone ? 1u << TL_EFFECT_EMISSION : 0},
+                              .without = part && part->alone ? TL_ON(TL_EFFECT_EMISSION) : 0},
         notices, &lighting->prepared, err));
     lighting->prepared.approximations = options->approximations;
     lighting->explanation = lighting->prepared.explanation;

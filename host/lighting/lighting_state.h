@@ -12,9 +12,9 @@ struct tl_lighting {
     tl_prepared prepared;
     tl_buffers buffers;
     uint32_t *tile_lights;  /* [tile_capacity]; NULL unless it is asked for; owned */
-    uint32_t *tile_effects; /* the same */
+    uint64_t *tile_effects; /* the same */
     size_t tile_capacity;
-    uint32_t *light_effects; /* [light_capacity], of prepared lights; owned */
+    uint64_t *light_effects; /* [light_capacity], of prepared lights; owned */
     size_t light_capacity;
     tl_effect_use use;
     tl_lighting_counts counts; /* of the last frame */

@@ -9,7 +9,7 @@
 /* The frame that was lit last, by the program of `kernels`. */
 static tl_status shade_again(tl_lighting *lighting,
                              const tl_kernel_options *kernels,
-                             uint32_t without,
+                             uint64_t without,
                              const tl_gbuffer *gbuffer,
                              tl_image *image,
                              double *ms,
@@ -48,7 +48,7 @@ static tl_status need_device(const tl_lighting *lighting, tl_error *err)
 }
 
 /* The frame's needs less some effects, and of the picture alone. */
-static tl_needs needs_without(const tl_prepared *prepared, uint32_t effects)
+static tl_needs needs_without(const tl_prepared *prepared, uint64_t effects)
 {
     tl_explanation explanation = prepared->explanation;
     tl_needs needs = prepared->needs;
@@ -61,7 +61,7 @@ static tl_needs needs_without(const tl_prepared *prepared, uint32_t effects)
 
 tl_status tl_lighting_shade_without(tl_lighting *lighting,
                                     const tl_gbuffer *gbuffer,
-                                    uint32_t effects,
+                                    uint64_t effects,
                                     tl_image *image,
                                     double *ms,
                                     tl_error *err)

@@ -22,7 +22,7 @@ static json_int_t nearest_power(double count)
     return count < 1.0 ? 0 : (json_int_t)1 << (int)lround(log2(count));
 }
 
-static json_t *effects_json(uint32_t effects)
+static json_t *effects_json(uint64_t effects)
 {
     json_t *array = json_array();
     for (int e = 0; e < TL_EFFECT_COUNT; e++)

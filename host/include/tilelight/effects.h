@@ -141,7 +141,8 @@ typedef char tl_causes_fit[TL_CAUSE_COUNT <= 64 ? 1 : -1];
       0, "TL_SKY")                                                                             \
     X(TL_EFFECT_SKY_LIGHT, "sky-light", "the sky's light on surfaces, diffuse",                \
       TL_BY(TL_CAUSE_SKY_LIGHT), 0, "TL_SKY_LIGHT")                                            \
-    X(TL_EFFECT_SKY_MIRRORED, "sky-reflection", "the sky, mirrored by surfaces that are glossy", \
+    X(TL_EFFECT_SKY_MIRRORED, "sky-reflection",                                                \
+      "the sky, mirrored by surfaces that are glossy",                                         \
       TL_BY(TL_CAUSE_SKY_LIGHT) | TL_BY(TL_CAUSE_GLOSS) | TL_BY(TL_CAUSE_SHINY),               \
       TL_GROUP_PHONG | TL_GROUP_METAL_ROUGH, "TL_SKY_LIGHT")                                   \
     X(TL_EFFECT_TRANSLUCENCY, "translucency",                                                  \
@@ -172,11 +173,16 @@ typedef struct tl_cause_row {
 extern const tl_effect_row tl_effect_rows[TL_EFFECT_COUNT];
 extern const tl_cause_row tl_cause_rows[TL_CAUSE_COUNT];
 
-/* The effects whose causes are all among `causes`: bits 1 << tl_effect. */
-uint32_t tl_effects_of(uint64_t causes);
+/* One bit each. */
+typedef char tl_effects_fit[TL_EFFECT_COUNT <= 64 ? 1 : -1];
+
+#define TL_ON(effect) ((uint64_t)1 << (effect))
+
+/* The effects whose causes are all among `causes`: bits TL_ON(effect). */
+uint64_t tl_effects_of(uint64_t causes);
 
 /* Those of the effects, given all causes there are, that a light with these causes among them calls for. */
-uint32_t tl_effects_of_light(uint64_t all_causes, uint64_t light_causes);
+uint64_t tl_effects_of_light(uint64_t all_causes, uint64_t light_causes);
 
 /* Whether each tile computes it only where one of its own lights calls for it (kernels/choices.h; ranged
  * lights, by its list). */
@@ -225,11 +231,11 @@ typedef struct tl_some_lights {
 
 /* What was decided for a frame, and by what. */
 typedef struct tl_explanation {
-    uint32_t effects; /* that are on, bits 1 << tl_effect */
+    uint64_t effects; /* that are on, bits TL_ON(effect) */
     uint64_t causes;  /* that the frame has, bits TL_BY(cause) */
     uint64_t assumed; /* causes that TL_EFFECTS_ALL takes for there beside them */
     /* effects taken out all the same, to see what they cost: another picture */
-    uint32_t without;
+    uint64_t without;
     uint32_t present; /* planes of the frame, bits 1 << plane */
     uint32_t neutral; /* those that say nothing: tl_gbuffer.neutral */
     /* 1: no surface reflects light: tl_gbuffer.is_dark, and no row of materials in use */

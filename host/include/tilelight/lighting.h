@@ -230,8 +230,8 @@ const uint32_t *tl_lighting_tile_lights(const tl_lighting *lighting);
 
 /* What of the last frame called for effects, tile by tile: kept as the number of lights is. */
 typedef struct tl_effect_use {
-    /* [tiles_y][tiles_x]: effects that listed lights call for, bits 1 << tl_effect */
-    const uint32_t *tiles;
+    /* [tiles_y][tiles_x]: effects that listed lights call for, bits TL_ON(effect) */
+    const uint64_t *tiles;
     /* of a tile and a listed light that calls for the effect */
     uint64_t pairs[TL_EFFECT_COUNT];
     uint32_t global_lights[TL_EFFECT_COUNT]; /* that reach everything, and call for it */
@@ -241,13 +241,13 @@ typedef struct tl_effect_use {
 const tl_effect_use *tl_lighting_effect_use(const tl_lighting *lighting);
 
 /* Shades the last frame once more, without its layers, from the lists that are there, by kernels that lack
- * some of its effects (bits 1 << tl_effect): *ms is the device's time for that. *image, of the frame's size,
+ * some of its effects (bits TL_ON(effect)): *ms is the device's time for that. *image, of the frame's size,
  * becomes what they give, another picture where the frame has such an effect. gbuffer: that of the last
  * frame. Fails with TL_ERR_UNSUPPORTED on the CPU paths and where the frame was lit in bands, TL_ERR_DEVICE
  * or TL_ERR_MEMORY. */
 tl_status tl_lighting_shade_without(tl_lighting *lighting,
                                     const tl_gbuffer *gbuffer,
-                                    uint32_t effects,
+                                    uint64_t effects,
                                     tl_image *image,
                                     double *ms,
                                     tl_error *err);
