@@ -62,6 +62,8 @@ void aov_check_together(const lighting_choice *choice,
 {
     if (choice->options.split == 0 && !choice->groups)
         return;
+    if (pictures->width > 0)
+        argp_error(state, "--aov: layers are of the size that is lit: leave --output-size out");
     for (int i = 0; i < pictures->count; i++)
         if (pictures->kinds[i] == OUTPUT_EXR)
             return;

@@ -25,6 +25,11 @@ static const struct {
     {TL_POST_BLOOM, "6 px wide, at a quarter", {.bloom = {0.3f, 1.0f, 0.5f, 6.0f, 4}}, 0},
     {TL_POST_BLOOM, "6 px wide, at half", {.bloom = {0.3f, 1.0f, 0.5f, 6.0f, 2}}, 0},
     {TL_POST_BLOOM, "where nothing is bright", {.bloom = {0.3f, 1e20f, 0.5f, 6.0f, 4}}, 0},
+    {TL_POST_SCALE, "to 640 x 360, by mitchell", {.width = 640, .height = 360}, 0},
+    {TL_POST_SCALE,
+     "to 640 x 360, by lanczos3",
+     {.width = 640, .height = 360, .filter = TL_FILTER_LANCZOS3},
+     0},
 };
 enum { ROW_COUNT = sizeof rows_of_stages / sizeof rows_of_stages[0] };
 
@@ -35,7 +40,7 @@ typedef struct post_bench {
     tl_lighting_options lighting;
     tl_effect_frame frame;
     tl_image *lit, *image;
-    float exposed; /* what radiance is 1 once exposed */
+    float exposed;         /* what radiance is 1 once exposed */
     tl_post_counts counts; /* of the last run */
     tl_samples wall_ms, kernel_ms;
 } post_bench;
@@ -56,11 +61,27 @@ done:
     return status;
 }
 
+/* The lit picture again, in memory of its size: stages may have given it another. */
+static tl_status copy_lit(post_bench *b, tl_error *err)
+{
+    if (b->image->width != b->lit->width || b->image->height != b->lit->height) {
+        tl_image_destroy(b->image);
+        b->image = NULL;
+        const tl_status status = tl_image_create(b->lit->width, b->lit->height, &b->image, err);
+        if (status != TL_OK)
+            return status;
+    }
+    memcpy(b->image->planes, b->lit->planes,
+           3 * (size_t)b->lit->pitch * b->lit->rows * sizeof(float));
+    return TL_OK;
+}
+
 static tl_status run_once(
     post_bench *b, tl_post *post, int row, double *wall, double *kernel, tl_error *err)
 {
-    memcpy(b->image->planes, b->lit->planes,
-           3 * (size_t)b->lit->pitch * b->lit->rows * sizeof(float));
+    const tl_status copied = copy_lit(b, err);
+    if (copied != TL_OK)
+        return copied;
     if (rows_of_stages[row].is_spoiled)
         b->image->planes[0] = NAN;
     const double start = tl_seconds();

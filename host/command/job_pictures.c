@@ -60,15 +60,30 @@ typedef struct writing {
     job *j;
     const picture_options *options;
     const tl_image *image;
+    const tl_lighting_options *lighting;
+    tl_device *device; /* NULL: the precision needs none */
     tl_look look;
     void *codes; /* [height][width][3] of uint8_t or uint16_t; NULL until a PNG is written */
 } writing;
+
+static tl_status show_on_device(writing *w, float exposure, tl_error *err)
+{
+    static const tl_post_options nothing = {.mend = 0};
+    tl_post *post = NULL;
+    tl_status status = TL_OK;
+    TRY(tl_post_create(w->device, w->lighting, &nothing, &post, err));
+    TRY(tl_post_codes(post, w->image, exposure, w->look, w->codes, &w->j->timings, NULL, err));
+done:
+    tl_post_destroy(post);
+    return status;
+}
 
 /* Codes are made once, however many PNGs there are. */
 static tl_status make_codes(writing *w, tl_error *err)
 {
     const tl_image *image = w->image;
     const bool is_deep = w->options->depth == 16;
+    tl_status status = TL_OK;
     if (w->codes)
         return TL_OK;
     const double start = tl_seconds();
@@ -80,10 +95,12 @@ static tl_status make_codes(writing *w, tl_error *err)
     const float exposure = choose_exposure(w->j, w->options);
     if (is_deep)
         tl_image_to_rgb16(image, exposure, w->look, w->codes);
+    else if (w->device && !tl_look_has_thresholds(w->look))
+        status = show_on_device(w, exposure, err);
     else
         tl_image_to_rgb8(image, exposure, w->look, w->codes);
     tl_timings_end(&w->j->timings, "tone", start);
-    return TL_OK;
+    return status;
 }
 
 static tl_status write_png(writing *w, const char *path, tl_error *err)
@@ -170,13 +187,19 @@ done:
     return status;
 }
 
-tl_status job_write_pictures(job *j, const picture_options *options, tl_error *err)
+tl_status job_write_pictures(job *j,
+                             const picture_options *options,
+                             const tl_lighting_options *lighting,
+                             tl_device *device,
+                             tl_error *err)
 {
     tl_status status = TL_OK;
     json_t *list = json_array();
     writing w = {.j = j,
                  .options = options,
                  .image = j->image,
+                 .lighting = lighting,
+                 .device = device,
                  .look = picture_look(options, j->has_look ? &j->look : NULL)};
     console_stage("writing");
     for (int i = 0; i < options->count; i++)

@@ -44,6 +44,20 @@ static void report(job *j, const tl_post_counts *counts)
                          "bands", (json_int_t)counts->band_count));
 }
 
+/* A picture that is not of the size's shape is stretched, which is said. */
+static void tell_stretched(const job *j, const picture_options *pictures)
+{
+    const tl_camera *camera = &j->gbuffer->camera;
+    const double stretch =
+        (double)pictures->width * camera->height / ((double)pictures->height * camera->width);
+    const double pixel =
+        1.0 / (pictures->width < pictures->height ? pictures->width : pictures->height);
+    if (pictures->width > 0 && fabs(stretch - 1.0) > pixel)
+        tl_notice(&console_notices,
+                  "the picture is stretched: %u x %u is not of the shape of %u x %u",
+                  pictures->width, pictures->height, camera->width, camera->height);
+}
+
 tl_status job_post(job *j,
                    const post_choice *choice,
                    const picture_options *pictures,
@@ -57,9 +71,13 @@ tl_status job_post(job *j,
     tl_status status = TL_OK;
     options.bloom.threshold = exposed_threshold(j, &choice->options.bloom, pictures);
     options.mend = lighting->kernel.text != NULL;
+    options.width = pictures->width;
+    options.height = pictures->height;
+    options.filter = pictures->filter;
     TRY(tl_post_create(device, lighting, &options, &post, err));
     TRY(tl_post_run(post, j->gbuffer, &j->image, &j->timings, &console_notices, &counts, err));
     tell(choice, &options, &counts);
+    tell_stretched(j, pictures);
     report(j, &counts);
     j->post = counts;
 done:
@@ -92,6 +110,9 @@ void job_post_explain(const job *j,
         [TL_POST_EDGES] = of_edges(&choice->options.edges),
         [TL_POST_RESOLVE] = j->gbuffer->samples > 1 ? "several samples a pixel" : "one sample",
         [TL_POST_BLOOM] = of_bloom(&choice->options.bloom, &j->post),
+        [TL_POST_SCALE] = j->post.stages >> TL_POST_SCALE & 1u
+                              ? "--output-size, which is not the size that is lit"
+                              : "no --output-size, or the size that is lit",
     };
     fprintf(stderr, "after lighting\n");
     for (int i = 0; i < TL_POST_STAGE_COUNT; i++)

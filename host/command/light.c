@@ -101,7 +101,7 @@ static tl_status run(job *j, light_options *options, tl_device **device, tl_erro
                   *device, explain_wanted(&options->explain) ? &told : NULL, err));
     TRY(job_post(j, &options->post, &options->pictures, &options->lighting.options, *device,
                  err));
-    TRY(job_write_pictures(j, &options->pictures, err));
+    TRY(job_write_pictures(j, &options->pictures, &options->lighting.options, *device, err));
     TRY(explain_tell(j, &options->explain, &told, err));
     if (options->explain.text && !j->report)
         job_post_explain(j, &options->post, &options->lighting.options);

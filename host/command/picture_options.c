@@ -31,7 +31,9 @@ enum {
     OPTION_DITHER,
     OPTION_PNG,
     OPTION_EXR,
-    OPTION_EXR_COMPRESSION
+    OPTION_EXR_COMPRESSION,
+    OPTION_SIZE,
+    OPTION_FILTER
 };
 
 #define TONE_WORD(name, word, mixes, function, source) [name] = word,
@@ -51,6 +53,10 @@ static const char *const dither_words[] = {TL_DITHERS(DITHER_WORD)};
 static const char *const exr_words[] = {TL_EXR_COMPRESSIONS(EXR_WORD)};
 static const bool exr_written[] = {TL_EXR_COMPRESSIONS(EXR_WRITTEN)};
 static const char *const number_words[] = {"float", "half"};
+#define FILTER_WORD(name, word, radius, rings, source) [name] = word,
+#define FILTER_HELP(name, word, radius, rings, source) " " word ": " source "."
+static const char *const filter_words[] = {TL_FILTERS(FILTER_WORD)};
+static const value_words filters = {"filter", "filters", filter_words, TL_FILTER_COUNT};
 static const uint32_t png_depths[] = {8, 16};
 static const value_words tones = {"curve", "curves", tone_words, TL_TONE_COUNT};
 static const value_words curves = {"curve", "curves", curve_words, TL_CURVE_COUNT};
@@ -119,9 +125,18 @@ static error_t parse(int key, char *text, struct argp_state *state)
     case OPTION_EXR_COMPRESSION:
         options->exr.compression = compression_of(state, text);
         return 0;
+    case OPTION_SIZE:
+        value_size(state, "--output-size", text, &options->width, &options->height);
+        return 0;
+    case OPTION_FILTER:
+        options->filter = (tl_filter)value_word(state, "--filter", text, &filters);
+        options->filter_given = true;
+        return 0;
     case ARGP_KEY_SUCCESS: /* after the arguments, which are asked for first */
         if (options->count == 0)
             argp_error(state, "-o is missing: where the picture goes");
+        if (options->filter_given && options->width == 0)
+            argp_error(state, "--filter is for --output-size, which it scales to");
         if (options->look.white > 0.0f && options->look.tone != TL_TONE_REINHARD_EXTENDED)
             argp_error(state,
                        "--white is for --tone reinhard-extended, the curve that has one");
@@ -156,6 +171,12 @@ static const struct argp_option options_table[] = {
     {"exr", OPTION_EXR, "float|half", 0, "Numbers in EXRs (default float)", 0},
     {"exr-compression", OPTION_EXR_COMPRESSION, "NAME", 0,
      "How EXRs are compressed (default usual)." TL_EXR_COMPRESSIONS(EXR_HELP), 0},
+    {"output-size", OPTION_SIZE, "WIDTHxHEIGHT", 0,
+     "Scale the lit picture to this size, in linear radiance, for every output; what is not of "
+     "its shape is stretched (default: as it is lit)",
+     0},
+    {"filter", OPTION_FILTER, "NAME", 0,
+     "What it is scaled by (default mitchell)." TL_FILTERS(FILTER_HELP), 0},
     {0},
 };
 
@@ -172,6 +193,11 @@ tl_look picture_look(const picture_options *options, const tl_look *asked)
 const char *picture_tone_word(tl_tone tone)
 {
     return tone_words[tone];
+}
+
+const char *picture_filter_word(tl_filter filter)
+{
+    return filter_words[filter];
 }
 
 const char *picture_dither_word(tl_dither dither)

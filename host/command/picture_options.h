@@ -2,7 +2,7 @@
 #ifndef TL_PICTURE_OPTIONS_H
 #define TL_PICTURE_OPTIONS_H
 
-#include "tilelight/image.h"
+#include "tilelight/post.h"
 
 #include <argp.h>
 #include <stdbool.h>
@@ -19,17 +19,21 @@ typedef struct picture_options {
     bool tone_given, curve_given; /* else what the capture asks for */
     uint32_t depth;               /* bits of a PNG's channels: 16; else 8 */
     tl_exr_form exr;
+    uint32_t width, height; /* px; 0: as lit */
+    tl_filter filter;
+    bool filter_given;
 } picture_options;
 
 /* Its input is a picture_options, all zero to begin with. At least one output is required. */
 extern const struct argp
-    picture_argp; /* -o, --exposure, --tone, --white, --dither, --curve, --png, --exr, --exr-compression */
+    picture_argp; /* -o, --exposure, --tone, --white, --dither, --curve, --png, --exr, --exr-compression, --output-size, --filter */
 
 /* How PNGs are made: as the options say, else as the capture asks (NULL: asks for nothing), else ours. */
 tl_look picture_look(const picture_options *options, const tl_look *asked);
 const char *picture_tone_word(tl_tone tone);
 const char *picture_curve_word(tl_curve curve);
 const char *picture_dither_word(tl_dither dither);
+const char *picture_filter_word(tl_filter filter);
 /* Of the compression that it has, usual or asked for. */
 const char *picture_exr_word(tl_exr_form form);
 

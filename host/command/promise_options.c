@@ -98,6 +98,9 @@ void promise_check_together(const promise_choice *promise,
         (promise->goal.kind == TL_GOAL_CODES || promise->goal.kind == TL_GOAL_FLIP))
         argp_error(state, "%s is kept by pictures without grain: leave --dither out",
                    promise->option);
+    if (pictures->width > 0 && promise->goal.kind != TL_GOAL_TIME)
+        argp_error(state, "%s is kept by pictures as they are lit: leave --output-size out",
+                   promise->option);
     if (pictures->exr.half && promise->goal.kind != TL_GOAL_TIME)
         argp_error(state, "%s is kept by pictures in float: leave --exr half out",
                    promise->option);

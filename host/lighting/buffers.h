@@ -27,7 +27,10 @@
     X(TL_BUFFER_POST_COUNT, "[1] uint")                                                       \
     X(TL_BUFFER_POST_EDGES, "[TL_EDGE_PLANE_COUNT][rows][pitch] float")                       \
     X(TL_BUFFER_POST_SMALL, "[3][rows][pitch] float, of a smaller picture")                   \
-    X(TL_BUFFER_POST_SMALL_TOO, "the same")
+    X(TL_BUFFER_POST_SMALL_TOO, "the same")                                                   \
+    X(TL_BUFFER_POST_NUMBERS, "[] float, tables of the last stages")                          \
+    X(TL_BUFFER_POST_BETWEEN, "[3][rows of a band][pitch] float, scaled along columns")       \
+    X(TL_BUFFER_POST_CODES, "[rows of a band][width][3] uchar, codes of a screen")
 
 typedef enum tl_buffer_name {
 #define TL_BUFFER_NAME(name, shape) name,

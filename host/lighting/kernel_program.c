@@ -86,6 +86,7 @@ static const char *text_of(const tl_program *made)
         [TL_PART_MEND] = tl_mend_kernels,
         [TL_PART_EDGES] = tl_edge_kernels,
         [TL_PART_BLOOM] = tl_bloom_kernels,
+        [TL_PART_FINAL] = tl_final_kernels,
     };
     /* clang-format on */
     return made->user.text ? made->user.text : texts[made->part];

@@ -33,6 +33,7 @@ typedef enum tl_program_part {
     TL_PART_MEND,
     TL_PART_EDGES,
     TL_PART_BLOOM,
+    TL_PART_FINAL,
     TL_PART_COUNT,
     TL_LIGHTING_PART_COUNT = TL_PART_MEND
 } tl_program_part;
@@ -58,7 +59,10 @@ typedef enum tl_program_part {
     X(gather_bright, TL_PART_BLOOM, 1)                \
     X(blur_across, TL_PART_BLOOM, 1)                  \
     X(blur_down, TL_PART_BLOOM, 1)                    \
-    X(add_glow, TL_PART_BLOOM, 1)
+    X(add_glow, TL_PART_BLOOM, 1)                     \
+    X(scale_columns, TL_PART_FINAL, 1)                \
+    X(scale_rows, TL_PART_FINAL, 1)                   \
+    X(show_codes, TL_PART_FINAL, 1)
 
 typedef struct tl_program {
     tl_program_part part;

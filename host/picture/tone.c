@@ -181,8 +181,7 @@ static tl_show_rows_twin *show_twin(void)
     return tl_show_portable;
 }
 
-/* Whether thresholds say what a code is. */
-static int is_exact(tl_look look)
+int tl_look_has_thresholds(tl_look look)
 {
     return look.dither == TL_DITHER_NONE && tl_look_is_of_channels(look);
 }
@@ -200,11 +199,11 @@ void tl_show_prepare(tl_show *show, float exposure, tl_look look)
                                 .per_white2 = (float)per_white2(look),
                                 .tone = look.tone,
                                 .curve = look.curve,
-                                .is_exact = (tl_u32)is_exact(look)};
+                                .is_exact = (tl_u32)tl_look_has_thresholds(look)};
     tl_dither_fill(look.dither, roundings[look.curve], show->numbers + TL_SHOW_TILE);
     for (unsigned i = 0; i <= CODES; i++)
         show->numbers[TL_SHOW_THRESHOLDS + i] = NAN;
-    if (!is_exact(look))
+    if (!tl_look_has_thresholds(look))
         return;
     encoder_prepare(&e, exposure, look);
     memcpy(show->numbers + TL_SHOW_THRESHOLDS, e.thresholds, sizeof e.thresholds);
@@ -233,7 +232,7 @@ static void encode_image(const tl_image *image, float exposure, tl_look look, ui
 
 void tl_image_to_rgb8(const tl_image *image, float exposure, tl_look look, uint8_t *rgb)
 {
-    if (is_exact(look))
+    if (tl_look_has_thresholds(look))
         encode_image(image, exposure, look, rgb);
     else
         show_image(image, exposure, look, rgb);

@@ -11,6 +11,7 @@ static const tl_stage *const stages[TL_POST_STAGE_COUNT] = {
     [TL_POST_EDGES] = &tl_stage_edges,
     [TL_POST_RESOLVE] = &tl_stage_resolve,
     [TL_POST_BLOOM] = &tl_stage_bloom,
+    [TL_POST_SCALE] = &tl_stage_scale,
 };
 
 static tl_status check_edges(const tl_edge_options *edges, tl_error *err)
@@ -152,8 +153,7 @@ static tl_status run_stage(tl_post_work *work, const tl_stage *stage, tl_error *
     return status;
 }
 
-/* Until the next picture; the caller may do with its own as it likes. */
-static void let_go(tl_post_work *work)
+void tl_post_let_go(tl_post_work *work)
 {
     tl_post *post = work->post;
     const double clock = tl_seconds();
@@ -166,7 +166,6 @@ static void let_go(tl_post_work *work)
     work->counts.device_bytes = tl_buffers_size(&post->buffers);
     if (post->device && post->device->shares_memory)
         tl_buffers_let_go(&post->buffers);
-    post->spare = work->to;
 }
 
 static void tell(const tl_post_work *work)
@@ -214,7 +213,8 @@ tl_status tl_post_run(tl_post *post,
     TRY(tl_post_bring_back(&work, err));
     tell(&work);
 done:
-    let_go(&work);
+    tl_post_let_go(&work);
+    post->spare = work.to;
     *image = work.from;
     if (counts)
         *counts = work.counts;

@@ -47,7 +47,7 @@ typedef struct tl_stage {
     tl_status (*on_host)(tl_post_work *work, int *wrote, tl_error *err);
 } tl_stage;
 
-extern const tl_stage tl_stage_mend, tl_stage_edges, tl_stage_resolve, tl_stage_bloom;
+extern const tl_stage tl_stage_mend, tl_stage_edges, tl_stage_resolve, tl_stage_bloom, tl_stage_scale;
 
 /* post->numbers has room for so many; what was there is lost. Fails with TL_ERR_MEMORY. */
 tl_status tl_post_reserve_numbers(tl_post *post, size_t count, tl_error *err);
@@ -57,6 +57,9 @@ tl_status tl_post_reserve_to(tl_post_work *work, tl_error *err);
 
 /* What was written is what is read next. */
 void tl_post_swap(tl_post_work *work);
+
+/* Until the next picture: programs are kept, and the caller may do with its own memory as it likes. */
+void tl_post_let_go(tl_post_work *work);
 
 /* Runs a stage on the device, in bands where the memory limit asks for them. */
 tl_status tl_post_run_on_device(tl_post_work *work, const tl_stage *stage, tl_error *err);

@@ -35,6 +35,15 @@ static double bytes_of_bloom(const tl_bloom_options *o)
     return 3.0 * PICTURE + (2.0 + 4.0 * tl_bloom_plan_for(width, side).passes) * of_small;
 }
 
+/* Read, written as wide as it was and as tall as it will be, read again, and written. */
+static double bytes_of_scale(const tl_post_options *o, const tl_gbuffer *g)
+{
+    const uint32_t side = tl_samples_side(g->samples);
+    const double across = (double)o->width * side / g->camera.width,
+                 down = (double)o->height * side / g->camera.height;
+    return o->width > 0 ? PICTURE * (1.0 + 2.0 * down + across * down) : 0.0;
+}
+
 double tl_post_bytes(const tl_post_options *options,
                      const tl_gbuffer *gbuffer,
                      int has_no_colors)
@@ -44,5 +53,5 @@ double tl_post_bytes(const tl_post_options *options,
         bytes += bytes_of_edges(&options->edges, gbuffer);
     if (options->bloom.strength > 0.0f)
         bytes += bytes_of_bloom(&options->bloom);
-    return bytes;
+    return bytes + bytes_of_scale(options, gbuffer);
 }

@@ -71,6 +71,9 @@ typedef struct tl_look {
 /* Whether its codes rise with each channel, whatever the others are: its tone takes each channel by itself. */
 int tl_look_is_of_channels(tl_look look);
 
+/* Whether codes follow from 255 thresholds of radiance, exactly: such a tone, without dither. */
+int tl_look_has_thresholds(tl_look look);
+
 /* The exposure in stops that brings the picture's log-average luminance to 0.18. Pixels that are
  * black, negative or not finite are left out; 0 where none remains. The same on any number of
  * threads. */

@@ -23,7 +23,9 @@ extern "C" {
     X(TL_POST_RESOLVE, "resolve", "the picture, a pixel's own samples",                       \
       "a pixel becomes the mean of its samples")                                              \
     X(TL_POST_BLOOM, "bloom", "the picture, as many rows around as its width asks for",       \
-      "what is bright scatters over what is around")
+      "what is bright scatters over what is around")                                          \
+    X(TL_POST_SCALE, "scale", "the picture, the rows that the filter reaches",                \
+      "the picture gets another size, by a filter")
 
 typedef enum tl_post_stage {
 #define TL_POST_NAME(name, word, reads, meaning) name,
@@ -74,12 +76,35 @@ typedef struct tl_bloom_options {
 double tl_least_bloom_width(uint32_t side);
 double tl_most_bloom_width(uint32_t side);
 
+/* What a picture of another size is made by: a weight by the distance from the middle of a pixel, in pixels of
+ * the coarser of both pictures. Those that ring go below 0 beside what is much brighter.
+ * X(name, word on the command line, where it ends, px, whether it rings, source) */
+#define TL_FILTERS(X)                                                                   \
+    X(TL_FILTER_MITCHELL, "mitchell", 2, 1, "Mitchell and Netravali 1988, B = C = 1/3") \
+    X(TL_FILTER_BOX, "box", 0.5, 0, "the mean of the area that a pixel covers")         \
+    X(TL_FILTER_TENT, "tent", 1, 0, "linear between pixels")                            \
+    X(TL_FILTER_CATMULL_ROM, "catmull-rom", 2, 1,                                       \
+      "Catmull and Rom 1974: the same as mitchell with B = 0, C = 1/2, sharper")        \
+    X(TL_FILTER_LANCZOS3, "lanczos3", 3, 1,                                             \
+      "Duchon 1979: a sinc in the window of its own "                                   \
+      "middle lobe, the sharpest")
+
+typedef enum tl_filter {
+#define TL_FILTER_NAME(name, word, radius, rings, source) name,
+    TL_FILTERS(TL_FILTER_NAME)
+#undef TL_FILTER_NAME
+        TL_FILTER_COUNT
+} tl_filter;
+
 /* All zero: every stage but `resolve`, which samples call for, is off. */
 typedef struct tl_post_options {
     /* 1: pixels that are NaN or infinite are looked for. Lighting leaves none; a kernel of the user's may */
     int mend;
     tl_edge_options edges;
     tl_bloom_options bloom;
+    /* px, 1 to TL_MAX_EXTENT each, of the picture that leaves; 0: as it is */
+    uint32_t width, height;
+    tl_filter filter; /* that it gets this size by */
 } tl_post_options;
 
 /* What a picture came to. */
@@ -129,6 +154,19 @@ tl_status tl_post_run(tl_post *post,
                       const tl_notices *notices,
                       tl_post_counts *counts,
                       tl_error *err);
+
+/* What tl_image_to_rgb8 gives of the picture, bit for bit, computed on the device where the precision is
+ * TL_PRECISION_FLOAT and floats hold the exposure (within 100 stops), in bands within the memory limit, of a row at
+ * least. rgb: [height][width][3]. timings, device_ms (from profiling events) may be NULL. Fails with
+ * TL_ERR_DEVICE or TL_ERR_MEMORY. */
+tl_status tl_post_codes(tl_post *post,
+                        const tl_image *image,
+                        float exposure,
+                        tl_look look,
+                        uint8_t *rgb,
+                        tl_timings *timings,
+                        double *device_ms,
+                        tl_error *err);
 
 #ifdef __cplusplus
 }
