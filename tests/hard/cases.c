@@ -176,6 +176,18 @@ const hard_case hard_cases[] = {
      "Such pixels become the mean of their neighbours before anything is mixed.", "overte 2297",
      "pixels of a picture with four of them: finite", "seven taps across and down",
      hard_nan_bloom},
+    {37, "sun-pixel",
+     "A sky's one bright pixel rings: surfaces turned away from it have less than no light.",
+     "What nine harmonics have below 0 is 0; the solid angle of each texel is exact.",
+     "Babylon.js 13809, filament 744",
+     "normals all around under one pixel of 1e6: no negative light, right to within the bound",
+     "the polynomial as it stands", hard_sun_pixel},
+    {38, "sky-seam",
+     "A mirrored sky shows a seam where its map ends, and at its poles, the more the rougher.",
+     "Levels are octahedral maps with a border of what lies across each edge.",
+     "pex-renderer 321, stride 3328",
+     "pairs of directions beside seam, poles and edges, on five levels: one colour",
+     "texels that go on at the edge", hard_sky_seam},
     {39, "profile-seam",
      "The first and the last plane of a light's profile do not meet: a stripe of light or "
      "dark, or "

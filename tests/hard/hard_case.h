@@ -112,5 +112,7 @@ void hard_flat_occlusion(hard_bench *bench);
 void hard_pane_order(hard_bench *bench);
 void hard_profile_seam(hard_bench *bench);
 void hard_profile_axis(hard_bench *bench);
+void hard_sun_pixel(hard_bench *bench);
+void hard_sky_seam(hard_bench *bench);
 
 #endif
