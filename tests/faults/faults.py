@@ -395,7 +395,7 @@ FAULTS = [
           "prepared->needs.split = options->split;", "prepared->needs.split = options->split | 1u;",
           "test_split_terms", []),
     Fault("parts-emission", "lamps alone shine beside what surfaces send out", "host/lighting/lighting.c",
-          "part && part->alone ? 1u << TL_EFFECT_EMISSION : 0}", "part && part->alone ? 0u << TL_EFFECT_EMISSION : 0}",
+          "part && part->alone ? TL_ON(TL_EFFECT_EMISSION) : 0}", "part && part->alone ? 0u * TL_ON(TL_EFFECT_EMISSION) : 0}",
           "test_light_parts", []),
     Fault("parts-layers", "layers are lit by all lamps", "host/lighting/layers.c",
           "        lighting->layers[i]->part = lighting->part;\n", "", "test_light_parts", []),
