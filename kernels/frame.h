@@ -15,6 +15,9 @@
  * (orthographic). Pixel centres are in x0, y0 already; dy is negative, row 0 being the top. */
 typedef struct tl_rays {
     float x0, dx, y0, dy;
+    float column0,
+        row0; /* of the picture, where planes are a part of it: add to columns and rows */
+    float unused[2];
 } tl_rays;
 
 /* One frame, or a band of its tile rows that is lit alone because the whole does not fit. The planes
@@ -47,7 +50,7 @@ typedef struct tl_frame {
     tl_u32 is_layer;        /* 1: is blended (blend.h), and what it says of sky not read */
     tl_u32 sky_light_at;    /* of the sky on surfaces: sky_light.h */
 } tl_frame;
-TL_STATIC_ASSERT(sizeof(tl_frame) == 192, frame_is_twelve_rows);
+TL_STATIC_ASSERT(sizeof(tl_frame) == 208, frame_is_thirteen_rows);
 
 #define TL_SECTION_ROW 16 /* bytes */
 

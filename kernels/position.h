@@ -11,8 +11,8 @@
  * 2u|ray|, beside what rounding x0 and dx to float leaves (reach.h needs that bound). */
 TL_INLINE vec3 view_position(tl_rays rays, tl_needs needs, real column, real row, real depth)
 {
-    const real ray_x = FMA(column, rays.dx, rays.x0);
-    const real ray_y = FMA(row, rays.dy, rays.y0);
+    const real ray_x = FMA(column + rays.column0, rays.dx, rays.x0);
+    const real ray_y = FMA(row + rays.row0, rays.dy, rays.y0);
     if (needs.orthographic) {
         const vec3 parallel = {ray_x, ray_y, -depth};
         return parallel;

@@ -16,8 +16,8 @@ TL_INLINE vec3 ray_direction(tl_rays rays, tl_needs needs, real column, real row
 {
     vec3 ray = {(real)R(0.0), (real)R(0.0), (real)R(-1.0)};
     if (!needs.orthographic) {
-        ray.x = FMA(column, rays.dx, rays.x0);
-        ray.y = FMA(row, rays.dy, rays.y0);
+        ray.x = FMA(column + rays.column0, rays.dx, rays.x0);
+        ray.y = FMA(row + rays.row0, rays.dy, rays.y0);
     }
     return ray;
 }

@@ -57,8 +57,9 @@ TL_INLINE tl_view_window view_window(const tl_frame *frame,
                                      int orthographic)
 {
     const tl_rays rays = frame->rays;
-    const double right_px = (double)(frame->tiles_x * frame->tile_size);
-    const double bottom_px = (double)(frame->first_row + frame->tiles_y * frame->tile_size);
+    const double right_px = (double)rays.column0 + (double)(frame->tiles_x * frame->tile_size);
+    const double bottom_px =
+        (double)rays.row0 + (double)(frame->first_row + frame->tiles_y * frame->tile_size);
     tl_view_window w;
     w.width = (double)rays.dx;
     w.height = (double)rays.dy;
@@ -107,9 +108,10 @@ TL_INLINE tl_tile_rect tile_rect_of_sphere(tl_view_window w,
     if (!(x.low <= x.high) || !(y.low <= y.high))
         return rect;
 
-    const double x0 = (x.low - w.margin_x - w.left) / w.width;
-    const double x1 = (x.high + w.margin_x - w.left) / w.width;
-    const double first = (double)frame->first_row;
+    const double column0 = (double)frame->rays.column0;
+    const double x0 = (x.low - w.margin_x - w.left) / w.width - column0;
+    const double x1 = (x.high + w.margin_x - w.left) / w.width - column0;
+    const double first = (double)frame->rays.row0 + (double)frame->first_row;
     const double y0 = (y.high + w.margin_y - w.top) / w.height - first;
     const double y1 = (y.low - w.margin_y - w.top) / w.height - first;
     if (x1 < 0.0 || y1 < 0.0)

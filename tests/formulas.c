@@ -112,7 +112,7 @@ static void position(
     const float rays[4], int orthographic, double column, double row, double at, double out[3])
 {
     const tl_needs needs = {.orthographic = (tl_u32)orthographic};
-    const tl_rays of = {rays[0], rays[1], rays[2], rays[3]};
+    const tl_rays of = {.x0 = rays[0], .dx = rays[1], .y0 = rays[2], .dy = rays[3]};
     out3(view_position(of, needs, (real)column, (real)row, (real)at), out);
 }
 

@@ -42,7 +42,15 @@ static const float identity[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
 
 static tl_camera camera_with(tl_projection projection, float edge, float near, float far)
 {
-    tl_camera camera = {projection, WIDTH, HEIGHT, -edge, edge, -edge, edge, near, far, {{0}}};
+    tl_camera camera = {.projection = projection,
+                        .width = WIDTH,
+                        .height = HEIGHT,
+                        .left = -edge,
+                        .right = edge,
+                        .bottom = -edge,
+                        .top = edge,
+                        .near = near,
+                        .far = far};
     memcpy(camera.view_from_world, identity, sizeof identity);
     return camera;
 }

@@ -95,8 +95,9 @@ __kernel void plain(const tl_frame frame,
 
         if (depth < INFINITY) {
             // Where the surface is, and which way it and the eye are.
-            const float x = frame.rays.x0 + (float)column * frame.rays.dx;
-            const float y = frame.rays.y0 + (float)(frame.first_row + row) * frame.rays.dy;
+            const float x = frame.rays.x0 + (frame.rays.column0 + (float)column) * frame.rays.dx;
+            const float y = frame.rays.y0 +
+                            (frame.rays.row0 + (float)(frame.first_row + row)) * frame.rays.dy;
             const float3 point = TL_ORTHOGRAPHIC ? (float3)(x, y, -depth)
                                                  : (float3)(x * depth, y * depth, -depth);
             const float3 eye = TL_ORTHOGRAPHIC ? (float3)(0.0f, 0.0f, 1.0f)

@@ -112,12 +112,29 @@ json_t *info_values_json(const info_values *v)
 
 static const char *const channel_names[] = {"R", "G", "B"};
 
+/* Takes `channels`. */
+static json_t *picture_json(const tl_image *image, const char *kind, json_t *channels)
+{
+    json_t *const report =
+        json_pack("{ss ss s[ii] so}", "kind", "picture", "format", kind, "size",
+                  (int)image->width, (int)image->height, "channels", channels);
+    if (image->whole_width > 0)
+        json_object_set_new(report, "part",
+                            json_pack("{s[ii] s[ii]}", "from", (int)image->x, (int)image->y,
+                                      "of", (int)image->whole_width, (int)image->whole_height));
+    return report;
+}
+
 static tl_status picture_info(const tl_image *image, const char *kind, bool json, tl_error *err)
 {
     json_t *channels = json_object();
     if (!json)
-        printf("picture     %s, %u x %u pixels\n%-12s %12s %12s %12s\n", kind, image->width,
-               image->height, "channel", "min", "mean", "max");
+        printf("picture     %s, %u x %u pixels\n", kind, image->width, image->height);
+    if (!json && image->whole_width > 0)
+        printf("part        from (%u, %u) on, of %u x %u pixels\n", image->x, image->y,
+               image->whole_width, image->whole_height);
+    if (!json)
+        printf("%-12s %12s %12s %12s\n", "channel", "min", "mean", "max");
     for (unsigned c = 0; c < 3; c++) {
         const info_values values = info_measure(tl_image_plane(image, c), NULL, image->width,
                                                 image->height, image->pitch);
@@ -127,11 +144,7 @@ static tl_status picture_info(const tl_image *image, const char *kind, bool json
             info_print_values(channel_names[c], &values);
     }
     if (json)
-        return tl_json_write("-",
-                             json_pack("{ss ss s[ii] so}", "kind", "picture", "format", kind,
-                                       "size", (int)image->width, (int)image->height,
-                                       "channels", channels),
-                             err);
+        return tl_json_write("-", picture_json(image, kind, channels), err);
     json_decref(channels);
     return TL_OK;
 }

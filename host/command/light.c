@@ -6,9 +6,11 @@
 #include "job_light.h"
 #include "job_pictures.h"
 #include "job_post.h"
+#include "job_region.h"
 #include "kernel_options.h"
 #include "layers_options.h"
 #include "promise_options.h"
+#include "region_options.h"
 #include "try.h"
 #include "values.h"
 
@@ -20,6 +22,7 @@ typedef struct light_options {
     kernel_choice kernel;
     tl_import_options import;
     picture_options pictures;
+    tl_region region; /* empty: the whole picture */
     explain_options explain;
     report_options report;
 } light_options;
@@ -36,6 +39,8 @@ static void check_together(const light_options *options, struct argp_state *stat
     if (options->kernel.file && options->promise.option)
         argp_error(state, "%s is kept by tilelight's own kernels: leave --kernel out",
                    options->promise.option);
+    if (options->region.width > 0 && options->pictures.width > 0)
+        argp_error(state, "--region and --output-size exclude each other: a part is not scaled");
     promise_check_together(&options->promise, &options->lighting, &options->pictures, state);
 }
 
@@ -55,6 +60,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         state->child_inputs[7] = &options->post;
         state->child_inputs[8] = &options->lighting;
         state->child_inputs[9] = &options->kernel;
+        state->child_inputs[10] = &options->region;
         return 0;
     }
     if (key == ARGP_KEY_SUCCESS)
@@ -73,6 +79,7 @@ static const struct argp_child children[] = {
     {&post_argp, 0, "After lighting (docs/post-processing.md):", 3},
     {&aov_argp, 0, NULL, 1},
     {&kernel_argp, 0, "Kernel (docs/your-kernel.md):", 2},
+    {&region_argp, 0, NULL, 1},
     {0},
 };
 
@@ -95,12 +102,14 @@ static tl_status run(job *j, light_options *options, tl_device **device, tl_erro
     TRY(job_begin(j, &options->report, err));
     TRY(job_prepare_light(j, &options->lighting, device, err));
     TRY(job_read(j, options->gbuffer, &options->import, options->lighting.strict, err));
+    TRY(job_cut_region(j, &options->region, &options->lighting, &options->post, *device, err));
     TRY(job_light(j, &options->lighting,
                   promise_goal(&options->promise, &options->pictures,
                                j->has_look ? &j->look : NULL, &goal),
                   *device, explain_wanted(&options->explain) ? &told : NULL, err));
     TRY(job_post(j, &options->post, &options->pictures, &options->lighting.options, *device,
                  err));
+    TRY(job_crop_pictures(j, &options->region, err));
     TRY(job_write_pictures(j, &options->pictures, &options->lighting.options, *device, err));
     TRY(explain_tell(j, &options->explain, &told, err));
     if (options->explain.text && !j->report)

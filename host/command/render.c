@@ -6,7 +6,9 @@
 #include "job_light.h"
 #include "job_pictures.h"
 #include "job_post.h"
+#include "job_region.h"
 #include "promise_options.h"
+#include "region_options.h"
 #include "tilelight/scatter.h"
 #include "try.h"
 #include "values.h"
@@ -19,6 +21,7 @@ typedef struct render_options {
     promise_choice promise;
     post_choice post;
     picture_options pictures;
+    tl_region region; /* empty: the whole picture */
     explain_options explain;
     report_options report;
 } render_options;
@@ -32,6 +35,8 @@ static void check_together(const render_options *options, struct argp_state *sta
     if (options->report.json && picture_on_standard_output(&options->pictures))
         argp_error(state, "-o - and --json both want standard output");
     aov_check_together(&options->lighting, &options->pictures, state);
+    if (options->region.width > 0 && options->pictures.width > 0)
+        argp_error(state, "--region and --output-size exclude each other: a part is not scaled");
     promise_check_together(&options->promise, &options->lighting, &options->pictures, state);
 }
 
@@ -50,6 +55,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         state->child_inputs[5] = &options->promise;
         state->child_inputs[6] = &options->post;
         state->child_inputs[7] = &options->lighting;
+        state->child_inputs[8] = &options->region;
         return 0;
     case OPTION_SCATTER:
         options->scatter_count = value_integer(state, "--scatter", text, 1, TL_MAX_SCATTERED);
@@ -76,6 +82,7 @@ static const struct argp_child children[] = {
     {&promise_argp, 0, "What the picture keeps (docs/promise.md):", 7},
     {&post_argp, 0, "After lighting (docs/post-processing.md):", 4},
     {&aov_argp, 0, NULL, 1},
+    {&region_argp, 0, NULL, 1},
     {0},
 };
 
@@ -117,12 +124,14 @@ static tl_status run(job *j, const render_options *options, tl_device **device, 
     capture.materials |= j->lights.material_count > 0;
     TRY(job_capture(j, options->scene, &capture, options->lighting.strict, err));
     TRY(scatter(j, options->scatter_count, err));
+    TRY(job_cut_region(j, &options->region, &options->lighting, &options->post, *device, err));
     TRY(job_light(j, &options->lighting,
                   promise_goal(&options->promise, &options->pictures,
                                j->has_look ? &j->look : NULL, &goal),
                   *device, explain_wanted(&options->explain) ? &told : NULL, err));
     TRY(job_post(j, &options->post, &options->pictures, &options->lighting.options, *device,
                  err));
+    TRY(job_crop_pictures(j, &options->region, err));
     TRY(job_write_pictures(j, &options->pictures, &options->lighting.options, *device, err));
     TRY(explain_tell(j, &options->explain, &told, err));
     if (options->explain.text && !j->report)

@@ -3,9 +3,17 @@
 #include "size_limit.h"
 #include "try.h"
 
-static tl_status check_windows(const tl_exr_reader *reader, tl_error *err)
+static bool is_within(const exr_attr_box2i_t *data, const exr_attr_box2i_t *display)
+{
+    return data->min.x >= display->min.x && data->min.y >= display->min.y &&
+           data->max.x <= display->max.x && data->max.y <= display->max.y;
+}
+
+static tl_status check_windows(const tl_exr_reader *reader, bool may_be_part, tl_error *err)
 {
     const exr_attr_box2i_t *data = &reader->part.data, *display = &reader->part.display;
+    if (may_be_part && is_within(data, display))
+        return TL_OK;
     if (tl_exr_part_is_uncropped(&reader->part) && data->min.x == 0 && data->min.y == 0)
         return TL_OK;
     return tl_fail(err, TL_ERR_UNSUPPORTED,
@@ -15,7 +23,10 @@ static tl_status check_windows(const tl_exr_reader *reader, tl_error *err)
                    display->min.x, display->min.y, display->max.x, display->max.y);
 }
 
-tl_status tl_exr_reader_open(tl_exr_reader *reader, const char *path, tl_error *err)
+static tl_status open_reader(tl_exr_reader *reader,
+                             const char *path,
+                             bool may_be_part,
+                             tl_error *err)
 {
     tl_status status = TL_OK;
     uint64_t file_size = 0;
@@ -23,13 +34,23 @@ tl_status tl_exr_reader_open(tl_exr_reader *reader, const char *path, tl_error *
     TRY(tl_exr_stream_open(&reader->stream, path, &file_size, err));
     reader->is_open = true;
     TRY(tl_exr_part_open(&reader->stream, file_size, 0, &reader->part, err));
-    TRY(check_windows(reader, err));
+    TRY(check_windows(reader, may_be_part, err));
     reader->width = reader->part.width;
     reader->height = reader->part.height;
 done:
     if (status != TL_OK)
         tl_exr_reader_close(reader);
     return status;
+}
+
+tl_status tl_exr_reader_open(tl_exr_reader *reader, const char *path, tl_error *err)
+{
+    return open_reader(reader, path, false, err);
+}
+
+tl_status tl_exr_reader_open_part(tl_exr_reader *reader, const char *path, tl_error *err)
+{
+    return open_reader(reader, path, true, err);
 }
 
 void tl_exr_reader_close(tl_exr_reader *reader)

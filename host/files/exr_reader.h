@@ -22,6 +22,9 @@ typedef struct tl_exr_reader {
  * TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED or TL_ERR_MEMORY. */
 tl_status tl_exr_reader_open(tl_exr_reader *reader, const char *path, tl_error *err);
 
+/* The same where the data window may be a part of the display window: reader->part has both. */
+tl_status tl_exr_reader_open_part(tl_exr_reader *reader, const char *path, tl_error *err);
+
 void tl_exr_reader_close(tl_exr_reader *reader);
 
 bool tl_exr_reader_has_channel(const tl_exr_reader *reader, const char *name);

@@ -23,6 +23,7 @@ typedef struct encoding {
     const tl_exr_picture *picture;
     int part;
     int lines;             /* per chunk */
+    int first_line;        /* of the data window */
     int chunk_count;       /* in the file */
     size_t computed_count; /* of the picture's channels */
     atomic_int next;       /* chunk to encode */
@@ -100,6 +101,30 @@ tl_status tl_exr_writer_begin(tl_exr_writer *writer,
     return tl_exr_writer_add(writer, NULL, width, height, compression, err);
 }
 
+tl_status tl_exr_writer_window(tl_exr_writer *writer,
+                               uint32_t x,
+                               uint32_t y,
+                               uint32_t whole_width,
+                               uint32_t whole_height,
+                               tl_error *err)
+{
+    const exr_context_t context = writer->stream.context;
+    exr_attr_box2i_t data, display;
+    exr_result_t result = exr_get_data_window(context, 0, &data);
+    display = data;
+    display.max.x = (int32_t)whole_width - 1;
+    display.max.y = (int32_t)whole_height - 1;
+    data.min.x += (int32_t)x;
+    data.max.x += (int32_t)x;
+    data.min.y += (int32_t)y;
+    data.max.y += (int32_t)y;
+    if (result == EXR_ERR_SUCCESS)
+        result = exr_set_data_window(context, 0, &data);
+    if (result == EXR_ERR_SUCCESS)
+        result = exr_set_display_window(context, 0, &display);
+    return tl_exr_check(&writer->stream, result, err);
+}
+
 static exr_result_t wait_for_turn(exr_encode_pipeline_t *pipeline)
 {
     const encoder *own = pipeline->encoding_user_data;
@@ -172,7 +197,8 @@ static exr_result_t prepare(encoder *own, uint32_t first_row)
     const exr_context_t context = own->shared->writer->stream.context;
     const int part = own->shared->part;
     exr_chunk_info_t info;
-    exr_result_t result = exr_write_scanline_chunk_info(context, part, (int)first_row, &info);
+    exr_result_t result = exr_write_scanline_chunk_info(
+        context, part, own->shared->first_line + (int)first_row, &info);
     if (result != EXR_ERR_SUCCESS)
         return result;
     result = own->is_ready ? exr_encoding_update(context, part, &info, &own->pipeline)
@@ -260,10 +286,13 @@ static tl_status encode(tl_exr_writer *writer,
     tl_status status = TL_OK;
     tl_exr_stream *stream = &writer->stream;
     encoding shared = {.writer = writer, .picture = picture, .part = part};
+    exr_attr_box2i_t data;
     for (size_t i = 0; i < picture->channel_count; i++)
         shared.computed_count += picture->channels[i].plane == NULL;
     TRY(tl_exr_check(stream, exr_get_scanlines_per_chunk(stream->context, part, &shared.lines),
                      err));
+    TRY(tl_exr_check(stream, exr_get_data_window(stream->context, part, &data), err));
+    shared.first_line = data.min.y;
     TRY(tl_exr_check(stream, exr_get_chunk_count(stream->context, part, &shared.chunk_count),
                      err));
     pthread_mutex_init(&shared.lock, NULL);

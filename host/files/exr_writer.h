@@ -46,6 +46,15 @@ tl_status tl_exr_writer_begin(tl_exr_writer *writer,
                               exr_compression_t compression,
                               tl_error *err);
 
+/* Of a part of a picture of that size, whose upper left pixel is at (x, y) there: the data window moves there,
+ * and the display window is the picture's. Before pixels. */
+tl_status tl_exr_writer_window(tl_exr_writer *writer,
+                               uint32_t x,
+                               uint32_t y,
+                               uint32_t whole_width,
+                               uint32_t whole_height,
+                               tl_error *err);
+
 /* The same without a part, and a part of it: parts count from 0 in the order in which they are added. name:
  * NULL of a part that stays alone. The data window is (0, 0) to (width - 1, height - 1); so is the display
  * window of the first, which all parts share. */

@@ -96,6 +96,9 @@ tl_status tl_image_write_layers(const char *path,
                                     .context = &of};
     TRY(tl_exr_writer_begin(&writer, path, image->width, image->height,
                             tl_exr_compression_of(form), err));
+    if (image->whole_width > 0)
+        TRY(tl_exr_writer_window(&writer, image->x, image->y, image->whole_width,
+                                 image->whole_height, err));
     TRY(tl_exr_writer_pixels(&writer, &picture, err));
     TRY(tl_exr_writer_commit(&writer, err));
 done:
@@ -112,13 +115,25 @@ tl_status tl_image_write_exr(const char *path,
     return tl_image_write_layers(path, image, NULL, 0, form, err);
 }
 
+/* Where it lies in the display window, of one that is not as large. */
+static void set_place(const tl_exr_part *part, tl_image *image)
+{
+    const exr_attr_box2i_t *data = &part->data, *display = &part->display;
+    if (tl_exr_part_is_uncropped(part))
+        return;
+    image->x = (uint32_t)(data->min.x - display->min.x);
+    image->y = (uint32_t)(data->min.y - display->min.y);
+    image->whole_width = (uint32_t)(display->max.x - display->min.x + 1);
+    image->whole_height = (uint32_t)(display->max.y - display->min.y + 1);
+}
+
 tl_status tl_image_read_exr(const char *path, tl_image **out, tl_error *err)
 {
     tl_status status = TL_OK;
     tl_exr_reader reader = {.is_open = false};
     tl_image *made = NULL;
     tl_exr_target targets[3];
-    TRY(tl_exr_reader_open(&reader, path, err));
+    TRY(tl_exr_reader_open_part(&reader, path, err));
     for (unsigned c = 0; c < 3; c++)
         TRY(tl_exr_reader_require(&reader, channel_names[c], err));
     TRY(tl_exr_reader_check_size(&reader, (uint64_t)3 * reader.width * reader.height * 4, err));
@@ -128,6 +143,7 @@ tl_status tl_image_read_exr(const char *path, tl_image **out, tl_error *err)
                                      .held = EXR_PIXEL_FLOAT,
                                      .plane = tl_image_plane(made, c)};
     TRY(tl_exr_reader_pixels(&reader, targets, 3, made->pitch, err));
+    set_place(&reader.part, made);
     *out = made;
     made = NULL;
 done:

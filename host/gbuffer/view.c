@@ -6,10 +6,17 @@
 
 static tl_rays rays_of(const tl_camera *camera)
 {
-    const double dx = ((double)camera->right - (double)camera->left) / camera->width;
-    const double dy = ((double)camera->bottom - (double)camera->top) / camera->height;
-    return (tl_rays){(float)((double)camera->left + 0.5 * dx), (float)dx,
-                     (float)((double)camera->top + 0.5 * dy), (float)dy};
+    const double dx =
+        ((double)camera->right - (double)camera->left) / tl_camera_whole_width(camera);
+    const double dy =
+        ((double)camera->bottom - (double)camera->top) / tl_camera_whole_height(camera);
+    return (tl_rays){(float)((double)camera->left + 0.5 * dx),
+                     (float)dx,
+                     (float)((double)camera->top + 0.5 * dy),
+                     (float)dy,
+                     (float)camera->window_x,
+                     (float)camera->window_y,
+                     {0.0f}};
 }
 
 /* kernels/depth_code.h: what is linear in the number that is stored. */

@@ -1,5 +1,7 @@
 #include "dither.h"
 
+#include <string.h>
+
 #include "blue_noise.h"
 
 #include <stdint.h>
@@ -38,4 +40,15 @@ void tl_dither_fill(enum tl_dither_name dither, double rounding, float *tile)
         for (uint32_t x = 0; x < TL_DITHER_SIDE; x++)
             tile[y * TL_DITHER_SIDE + x] =
                 (float)(added[dither] ? added[dither](x, y) : rounding);
+}
+
+void tl_dither_shift(uint32_t x, uint32_t y, float *tile)
+{
+    float from[TL_DITHER_SIDE * TL_DITHER_SIDE];
+    memcpy(from, tile, sizeof from);
+    for (uint32_t row = 0; row < TL_DITHER_SIDE; row++)
+        for (uint32_t column = 0; column < TL_DITHER_SIDE; column++)
+            tile[row * TL_DITHER_SIDE + column] =
+                from[(y + row) % TL_DITHER_SIDE * TL_DITHER_SIDE +
+                     (x + column) % TL_DITHER_SIDE];
 }

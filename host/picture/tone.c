@@ -213,6 +213,7 @@ static void show_image(const tl_image *image, float exposure, tl_look look, uint
 {
     tl_show show;
     tl_show_prepare(&show, exposure, look);
+    tl_dither_shift(image->x, image->y, show.numbers + TL_SHOW_TILE);
     tl_show_job job = {
         &show,
         {tl_image_plane(image, 0), tl_image_plane(image, 1), tl_image_plane(image, 2)},
@@ -308,6 +309,7 @@ void tl_image_to_rgb16(const tl_image *image, float exposure, tl_look look, uint
     tl_image same = *image; /* read alone */
     deep_job job = {.screen = {&same, scale_of(exposure), look}, .rgb = rgb};
     tl_dither_fill(look.dither, roundings[look.curve], job.tile);
+    tl_dither_shift(image->x, image->y, job.tile);
     tl_parallel(image->height, ROWS_PER_SUM, encode_deep_rows, &job);
 }
 

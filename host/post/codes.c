@@ -1,5 +1,6 @@
 /* Codes of a screen (kernels/tone.h), on the device. */
 #include "show.h"
+#include "dither.h"
 #include "stage.h"
 
 #include "lighting_state.h"
@@ -118,6 +119,7 @@ tl_status tl_post_codes(tl_post *post,
         goto done;
     }
     tl_show_prepare(&show, exposure, look);
+    tl_dither_shift(image->x, image->y, show.numbers + TL_SHOW_TILE);
     status = show_on_device(&work, &show, rgb, &ms, err);
     tl_post_let_go(&work);
 done:

@@ -186,6 +186,17 @@ static int is_any_on(const tl_post *post, const tl_gbuffer *gbuffer)
     return 0;
 }
 
+/* What stages read behind `resolve` are pixels, of as many samples each way. */
+uint32_t tl_post_halo(const tl_post *post, const tl_gbuffer *gbuffer)
+{
+    const uint32_t side = tl_samples_side(gbuffer->samples);
+    uint32_t halo = 0;
+    for (int i = 0; i < TL_POST_STAGE_COUNT; i++)
+        if (stages[i]->halo && stages[i]->is_on(post, gbuffer))
+            halo += stages[i]->halo(post) * (i > TL_POST_RESOLVE ? side : 1);
+    return halo;
+}
+
 tl_status tl_post_run(tl_post *post,
                       const tl_gbuffer *gbuffer,
                       tl_image **image,

@@ -107,7 +107,8 @@ static rough_surface rough_surface_of(
     const tl_u32 model = model_of(prepared->needs, &made);
     const tl_rays rays = frame->rays;
     const int parallel = (int)prepared->needs.orthographic;
-    const double step_x = column * (double)rays.dx, step_y = row * (double)rays.dy;
+    const double step_x = (column + (double)rays.column0) * (double)rays.dx,
+                 step_y = (row + (double)rays.row0) * (double)rays.dy;
     const double ray_x = step_x + (double)rays.x0, ray_y = step_y + (double)rays.y0;
     const surface s =
         surface_of(frame, prepared->needs, in, exponent, (real)column, (scalar)row);
@@ -503,10 +504,11 @@ static tl_allowance sky_of(const tl_prepared *prepared, uint32_t column, uint32_
     const vec3 expected =
         sky_radiance(frame, prepared->needs, prepared->lights, (real)column, (real)row);
     const vec3 ray = ray_direction(rays, prepared->needs, (real)column, (real)row);
+    const double across = column + (double)rays.column0, down = row + (double)rays.row0;
     const int parallel = (int)prepared->needs.orthographic;
     const double moved = parallel ? 0.0
-                                  : hypot(moved_along(ray.x, column * (double)rays.dx, 1.0, 1),
-                                          moved_along(ray.y, row * (double)rays.dy, 1.0, 1));
+                                  : hypot(moved_along(ray.x, across * (double)rays.dx, 1.0, 1),
+                                          moved_along(ray.y, down * (double)rays.dy, 1.0, 1));
     tl_sky_allowance(prepared, ray, moved, of);
     const double exact[3] = {expected.x, expected.y, expected.z};
     for (int i = 0; i < 3; i++) {

@@ -575,4 +575,18 @@ FAULTS = [
     Fault("exr-compression", "a compression is written for another", "host/files/exr_compression.c",
           "[TL_EXR_PXR24] = EXR_COMPRESSION_PXR24", "[TL_EXR_PXR24] = EXR_COMPRESSION_B44",
           "test_file_image_exr", []),
+    # Regions.
+    Fault("region-ray", "columns of a part begin where those of the picture do", "kernels/position.h",
+          "FMA(column + rays.column0, rays.dx, rays.x0)", "FMA(column, rays.dx, rays.x0)", "test_command_region", []),
+    Fault("region-rectangle", "rectangles of lights begin where the picture does", "kernels/tile_rect.h",
+          "(x.low - w.margin_x - w.left) / w.width - column0;", "(x.low - w.margin_x - w.left) / w.width;",
+          "test_command_region", []),
+    Fault("region-halo", "ambient occlusion looks around in the part alone", "host/command/job_region.c",
+          "(radius > 0.0 ? OCCLUSION_HALO : 0)", "0 * (radius > 0.0)", "test_command_region", []),
+    Fault("region-pattern", "parts begin anywhere in the patterns of pixels", "host/command/job_region.c",
+          "enum { GRANULE = 64 };", "enum { GRANULE = 1 };", "test_command_region", []),
+    Fault("region-dither", "dither begins anew in a part", "host/picture/tone.c",
+          "tl_dither_shift(image->x, image->y, show.numbers + TL_SHOW_TILE);", "", "test_command_region", []),
+    Fault("region-window", "the data window stays where it was", "host/files/exr_writer.c",
+          "data.min.x += (int32_t)x;", "data.min.x += 0 * (int32_t)x;", "test_command_region", []),
 ]

@@ -27,7 +27,20 @@ typedef struct tl_camera {
         far; /* m; 0 < near < far, far may be INFINITY. Orthographic: near may be <= 0 */
     /* view = view_from_world * (x, y, z, 1): a rotation and a translation in m, row-major. */
     float view_from_world[3][4];
+    /* Of a part of a picture (tl_gbuffer_cut): where in it its upper left pixel is, and the size of the picture,
+     * whose edges those above are. All 0: it is the whole picture. */
+    uint32_t window_x, window_y, whole_width, whole_height;
 } tl_camera;
+
+/* Of the picture that the edges are of, px. */
+static inline uint32_t tl_camera_whole_width(const tl_camera *camera)
+{
+    return camera->whole_width ? camera->whole_width : camera->width;
+}
+static inline uint32_t tl_camera_whole_height(const tl_camera *camera)
+{
+    return camera->whole_height ? camera->whole_height : camera->height;
+}
 
 /* Fails with TL_ERR_ARGUMENT, saying which field is outside the ranges above, for a value that is
  * not finite, and for a view_from_world whose rows are not orthonormal to 1e-3. */

@@ -137,6 +137,17 @@ void *tl_gbuffer_words(const tl_gbuffer *gbuffer, uint32_t index);
 uint32_t tl_gbuffer_word_size(const tl_gbuffer *gbuffer, uint32_t index);
 uint32_t tl_gbuffer_pixel_size(const tl_gbuffer *gbuffer);
 
+/* A part of a picture: px, from the upper left. */
+typedef struct tl_region {
+    uint32_t x, y, width, height;
+} tl_region;
+
+/* *gbuffer becomes that part of it, not empty and within it, with its shadow maps; what is known of the whole
+ * is taken to be so of the part. Pixels of it are lit as they are in the whole, bit for bit, but where ambient
+ * occlusion would look beyond. Its camera says where it lies; no file is written of it. Fails with
+ * TL_ERR_MEMORY, and leaves it alone. */
+tl_status tl_gbuffer_cut(tl_gbuffer **gbuffer, const tl_region *window, tl_error *err);
+
 /* What tl_gbuffer_repair found, in pixels. */
 typedef struct tl_repairs {
     /* NaN, negative infinity, or <= 0 under a perspective camera: made sky. So is a stored position that

@@ -20,6 +20,8 @@ typedef struct tl_image {
     float
         *planes; /* [1 + part_count][3][rows][pitch], aligned to 4096 bytes; linear Rec. 709 */
     uint32_t part_count;
+    /* Of a part of a picture: where in it its upper left pixel is, and its size, px. All 0: it is the whole. */
+    uint32_t x, y, whole_width, whole_height;
 } tl_image;
 
 /* All black. The caller releases *out with tl_image_destroy. Fails with TL_ERR_ARGUMENT for an

@@ -140,6 +140,9 @@ tl_status tl_post_create(tl_device *device,
 /* Accepts NULL. */
 void tl_post_destroy(tl_post *post);
 
+/* How many pixels of the G-buffer around one are read for it, at most, by all stages that a picture of it has. */
+uint32_t tl_post_halo(const tl_post *post, const tl_gbuffer *gbuffer);
+
 /* Runs the stages over *image, the picture of the G-buffer with its layers blended; *image becomes what they
  * make of it: perhaps another picture, of another size where samples are resolved, which the caller owns in
  * place of the one that was given. Bits depend on precision alone: not on path, vectors, memory limit or
