@@ -7,8 +7,8 @@
 #include "picture_options.h"
 #include "post_options.h"
 
-/* Runs the stages that the choice and the frame call for, by the exposure of the pictures and the device and precision that light, and says
- * what they came to. The job's image becomes what they make of it. */
+/* Runs the stages that the choice and the frame call for, by the exposure of the pictures and the device and
+ * precision that light, and says what they came to. The job's image becomes what they make of it. */
 tl_status job_post(job *j,
                    const post_choice *choice,
                    const picture_options *pictures,
