@@ -32,6 +32,7 @@ TL_INLINE vec3 sharp_axis(surface s, substance m)
 TL_INLINE finish finish_of(tl_needs needs, surface s, substance m)
 {
     finish f;
+    f.at = 0; /* the caller's to say */
     f.model = m.model;
     f.n_dot_v = a_cosine(dot3(s.normal, s.to_eye));
     f.alpha2 = m.alpha2;

@@ -120,8 +120,10 @@ typedef struct tl_view_shape {
     tl_view_map map;  /* what colours are multiplied with */
     float ambient[3]; /* cd or lx, of the lobe that asks for no normal */
     tl_u32 falloff;   /* that of the light, as others have it; TL_FADE_TABLE: by the table */
-    tl_u32 is_spot;   /* 1: the map is projected over the cone; 0: it is all around */
-    tl_u32 table_at;  /* row of the buffer where the table begins */
+    /* bit 0: the map is projected over the cone, not all around; from bit 1 on: 1 + the index of its link
+     * (link.h), 0: it lights everything */
+    tl_u32 spot_and_link;
+    tl_u32 table_at; /* row of the buffer where the table begins */
     /* index of the last of its numbers, at the range; `fade` is that over the range */
     tl_u32 table_last;
     tl_u32
@@ -181,6 +183,15 @@ typedef struct tl_view_surroundings {
     tl_u32 halvings;      /* looks more to either side of a slice, for its horizon */
 } tl_view_surroundings;
 TL_STATIC_ASSERT(sizeof(tl_view_surroundings) == 48, view_surroundings_is_three_rows);
+
+/* Which pixels lights are kept from that are linked to objects: link.h. Where some are, it is the row of the buffer
+ * before their shapes. */
+typedef struct tl_view_links {
+    tl_u32 words_at;    /* row of the buffer: planes of words, one for each 32 links */
+    tl_u32 rows;        /* of a plane, which has the frame's pitch */
+    tl_u32 reserved[2]; /* 0 */
+} tl_view_links;
+TL_STATIC_ASSERT(sizeof(tl_view_links) == 16, view_links_is_one_row);
 
 /* A sky that is not of one colour: sky.h. */
 typedef struct tl_view_sky {

@@ -14,6 +14,7 @@
 #define TL_SHAPE_AMBIENT 8u
 #define TL_SHAPE_SHADOW 16u
 #define TL_SHAPE_PROFILE 64u
+#define TL_SHAPE_LINK 128u
 #define TL_SHAPE_BARE 32u /* lights have shapes, of which nothing is computed */
 
 /* Skies that are not of one colour (sky.h): values of tl_needs.sky. */

@@ -37,7 +37,8 @@ __kernel void shade_pixels(const tl_frame frame,
     pixel in = pixel_of(needs, &layout, &words, -s.position.z);
     in.occlusion = ambient_share(&frame, needs, (tl_numbers)lights, in.occlusion, at);
     const substance m = substance_at(&frame, needs, in, rows);
-    const finish f = finish_of(needs, s, m);
+    finish f = finish_of(needs, s, m);
+    f.at = at;
     received sum = nothing_received();
     if (in.depth < (real)INFINITY) {
         for (uint i = 0; i < frame.global_count; i++)

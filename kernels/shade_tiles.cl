@@ -244,7 +244,8 @@ TL_INLINE vec3 lit_block(const tl_frame *frame,
     const tl_words before =
         load_some_words(&layout, words_there, planes, plane_size, at, frame->pitch);
     const pixel to_finish = pixel_of(needs, &layout, &before, -s.position.z);
-    const finish f = finish_of(needs, s, substance_at(frame, needs, to_finish, rows));
+    finish f = finish_of(needs, s, substance_at(frame, needs, to_finish, rows));
+    f.at = at;
     received sum = lit_by(frame, needs, s, f, by);
     const tl_words words =
         load_some_words(&layout, words_there, planes, plane_size, at, frame->pitch);

@@ -12,11 +12,13 @@
  *            reaches, in cone and range, whatever the normal.
  *   profile  what arrives, of every lobe, is the share of the largest intensity in the direction from the
  *            light (profile.h).
- *   shadow   what arrives, of every lobe, is the share that nothing stands before (shadow.h). */
+ *   shadow   what arrives, of every lobe, is the share that nothing stands before (shadow.h).
+ *   link     it lights some objects alone (link.h). */
 #ifndef TL_SHAPE_H
 #define TL_SHAPE_H
 
 #include "light.h"
+#include "link.h"
 #include "profile.h"
 #include "shadow.h"
 #include "texture.h"
@@ -66,7 +68,7 @@ TL_INLINE vec3 tint_of(tl_needs needs, tl_numbers numbers, tl_view_shape shape, 
 {
     const vec3 from = {-l.x, -l.y, -l.z};
     if (!(needs.shapes & TL_SHAPE_AROUND) ||
-        ((needs.shapes & TL_SHAPE_PROJECTED) && shape.is_spot))
+        ((needs.shapes & TL_SHAPE_PROJECTED) && (shape.spot_and_link & 1u)))
         return map_projected(numbers, shape.map, from);
     return map_around(numbers, shape.map, from);
 }
@@ -100,6 +102,7 @@ TL_INLINE real unshadowed(tl_needs needs,
 
 /* As add_ranged_light and add_global_light, of a light that has this shape. */
 TL_INLINE received add_shaped_light(received sum,
+                                    const tl_frame *frame,
                                     tl_needs needs,
                                     TL_GLOBAL const tl_view_light *lights,
                                     tl_view_shape shape,
@@ -120,6 +123,8 @@ TL_INLINE received add_shaped_light(received sum,
     light.falloff = shape.falloff;
     from.lit = is_global ? a.distance2 > R(0.0)
                          : reaches(light, a.distance2) & (a.distance2 > TL_LEAST_DISTANCE2);
+    if (needs.shapes & TL_SHAPE_LINK)
+        from.lit = from.lit & lanes_of_link(frame, needs, numbers, shape, f.at);
     if (!any_lane(from.lit))
         return sum;
     from.distance = is_directional ? (real)R(1.0) : SQRT(a.distance2);
@@ -153,8 +158,9 @@ TL_INLINE received add_any_light(received sum,
                                  int is_global)
 {
     if (has_shapes(needs) && has_shape(light.falloff))
-        return add_shaped_light(sum, needs, lights, shape_of(lights, frame->shapes_at, light),
-                                s, f, light, spot, is_global);
+        return add_shaped_light(sum, frame, needs, lights,
+                                shape_of(lights, frame->shapes_at, light), s, f, light, spot,
+                                is_global);
     if (is_global)
         return add_global_light(sum, needs, s, f, light, spot);
     return add_ranged_light(sum, needs, s, f, light, spot);

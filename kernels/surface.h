@@ -25,6 +25,8 @@ typedef struct finish {
     real per_wide2;   /* 1/alpha^2, of the wider axis: Ward */
     real per_area;    /* 1/(4 ax ay): Ward */
     vec3 sharp;       /* sharp_axis: Ward, where it is anisotropic */
+    size_t
+        at; /* first pixel of the lanes' block in the planes that are there: for links alone (link.h) */
 } finish;
 
 /* A light, as a surface meets it. */

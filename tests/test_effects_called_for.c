@@ -15,8 +15,9 @@
 #define OCCLUSION (TL_GROUP_BASE | TL_GROUP_OCCLUSION)
 #define EMISSION (TL_GROUP_BASE | TL_GROUP_EMISSIVE)
 #define INDEXED (TL_GROUP_BASE | TL_GROUP_BRDF)
-#define SHAPES \
-    (ON(TABLE) | ON(PROJECTED) | ON(AROUND) | ON(PROFILES) | ON(AMBIENT_LOBE) | ON(SHADOWS))
+#define SHAPES                                                                                \
+    (ON(TABLE) | ON(PROJECTED) | ON(AROUND) | ON(PROFILES) | ON(AMBIENT_LOBE) | ON(SHADOWS) | \
+     ON(LINKS))
 #define ANY_LIGHT .intensity = 1.0f, .diffuse = 1.0f
 
 typedef struct lamp {
@@ -27,7 +28,7 @@ typedef struct lamp {
     float cone; /* outer half-angle */
     float intensity, diffuse, specular, ambient;
     int has_texture, has_profile;
-    int casts_shadow, has_map;
+    int casts_shadow, has_map, is_linked;
 } lamp;
 
 typedef struct scene {
@@ -120,6 +121,11 @@ static const scene minimal[TL_EFFECT_COUNT] = {
                            .needs = {.falloffs = FADE(INVERSE_SQUARE),
                                      .shapes = TL_SHAPE_SHADOW},
                            .light_count = 1},
+    [TL_EFFECT_LINKS] = {"a light that is linked to an object", TL_GROUP_BASE,
+                         .lamps = {{ANY_LIGHT, .is_linked = 1}},
+                         .effects = ON(GLOBAL) | ON(INVERSE_SQUARE) | ON(LINKS),
+                         .needs = {.falloffs = FADE(INVERSE_SQUARE), .shapes = TL_SHAPE_LINK},
+                         .light_count = 1},
     [TL_EFFECT_SKY_GRADIENT] = {"a gradient", TL_GROUP_BASE, .sky = 0.5f,
                                 .sky_type = TL_SKY_GRADIENT, .effects = ON(SKY_GRADIENT),
                                 .needs = {.sky = TL_GRADIENT_SKY}},
@@ -309,7 +315,10 @@ static const scene others[] = {
      .lamps = {{.diffuse = 1.0f, .range = 1.0f}},
      .effects = ON(RANGED) | ON(DIRECTIONAL) | ON(INVERSE_SQUARE) | ON(LINEAR) |
                 ON(LINEAR_FROM) | ON(SPOTS) | ON(AMBIENT) | SHAPES,
-     .needs = {.falloffs = (1u << TL_FADE_COUNT) - 1u, .spots = 1, .ambient = 1, .shapes = 95},
+     .needs = {.falloffs = (1u << TL_FADE_COUNT) - 1u,
+               .spots = 1,
+               .ambient = 1,
+               .shapes = 95 | TL_SHAPE_LINK},
      .light_count = 1, .idle = {[TL_IDLE_BLACK] = 1}},
     {"all effects of a frame with every plane", PHONG | OCCLUSION | EMISSION,
      .neutral = TL_THREE(TL_SPECULAR_R) | TL_GROUP_OCCLUSION | TL_GROUP_EMISSIVE,
@@ -320,7 +329,7 @@ static const scene others[] = {
                .spots = 1,
                .specular = 1,
                .ambient = 1,
-               .shapes = 95}},
+               .shapes = 95 | TL_SHAPE_LINK}},
 };
 
 /* An image of one pixel. */
@@ -379,6 +388,10 @@ static void add_lamp(tl_light_set *set, const lamp *from)
     if (from->falloff == TL_FALLOFF_TABLE)
         ASSERT_OK(tl_light_set_add_table(set, (float[]){1.0f, 0.0f}, 2, &light.table, &err),
                   err);
+    if (from->is_linked)
+        ASSERT_OK(tl_light_set_add_link(set, &(tl_light_link){0, 1, &(tl_link_object){1, ""}},
+                                        &light.link, &err),
+                  err);
     if (from->has_texture)
         light.texture = add_pixel(set);
     if (from->has_profile)
@@ -412,6 +425,8 @@ static tl_prepared prepared_of(const scene *s)
         add_lamp(&lights, &s->lamps[i]);
         if (s->lamps[i].has_map)
             add_map(g);
+        if (s->lamps[i].is_linked)
+            ASSERT_OK(tl_ids_add(g, &err), err);
     }
     if (s->row > 0) {
         tl_material_row row = tl_material_row_default();

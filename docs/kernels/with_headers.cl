@@ -67,7 +67,8 @@ __kernel void shade_in_batches(const tl_frame frame,
     const substance material = substance_at(&frame, needs, in, rows_behind(&frame, lights));
     const surface s = surface_of(&frame, needs, in, material.shininess, (float)column,
                                  (float)(frame.first_row + row));
-    const finish f = finish_of(needs, s, material);
+    finish f = finish_of(needs, s, material);
+    f.at = at;
     received sum = nothing_received();
     for (uint i = 0; i < frame.global_count; i++)
         sum = add_global_light(sum, needs, s, f, lights[i],

@@ -12,6 +12,7 @@ enum {
     OPTION_VARIANT,
     OPTION_SAMPLES,
     OPTION_MATERIALS,
+    OPTION_IDS,
     OPTION_SHADOWS,
     OPTION_SHADOW_MEMORY,
     OPTION_SHADOW_NEAR,
@@ -40,6 +41,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
                                        sizeof sample_counts / sizeof sample_counts[0]);
         return 0;
     case OPTION_MATERIALS: options->materials = true; return 0;
+    case OPTION_IDS: options->ids = true; return 0;
     case OPTION_SHADOWS: options->all_shadows = true; return 0;
     case OPTION_SHADOW_MEMORY:
         options->shadow_memory =
@@ -77,6 +79,11 @@ static const struct argp_option options_table[] = {
     {"materials", OPTION_MATERIALS, NULL, 0,
      "Also the index of each pixel's material, for lights files with \"materials\", its "
      "tangent where there are any, and the materials' names",
+     0},
+    {"ids", OPTION_IDS, NULL, 0,
+     "Also which object each pixel shows, and objects' names, for lights that are linked to "
+     "some "
+     "(default: where lights of --lights are)",
      0},
     {"shadows", OPTION_SHADOWS, NULL, 0,
      "Shadow maps of all lights (default: of those of a lights file that have castsShadow)", 0},

@@ -148,6 +148,27 @@ static json_t *layers_json(const tl_gbuffer *g)
                      "left_share", tl_layers_left_share(g));
 }
 
+static void print_objects(const tl_gbuffer *g)
+{
+    for (uint32_t i = 0; i < g->objects.count; i++) {
+        printf("%-12s%-4u", i == 0 ? "objects" : "", g->objects.of[i].id);
+        info_print_text(g->objects.of[i].name, 0);
+        putchar('\n');
+    }
+    if (g->ids && g->objects.count == 0)
+        puts("objects     by ids without names");
+}
+
+/* null where pixels do not say what they show. */
+static json_t *objects_json(const tl_gbuffer *g)
+{
+    json_t *out = g->ids ? json_array() : json_null();
+    for (uint32_t i = 0; i < g->objects.count; i++)
+        json_array_append_new(out, json_pack("{sI ss}", "id", (json_int_t)g->objects.of[i].id,
+                                             "name", g->objects.of[i].name));
+    return out;
+}
+
 static json_t *materials_json(const tl_material_names *names)
 {
     json_t *out = json_array();
@@ -172,6 +193,7 @@ void info_print_gbuffer(const info_gbuffer *of)
         info_print_values(planes[p].channel, &values);
     }
     print_materials(&of->file->materials);
+    print_objects(of->file);
     print_layers(of->file);
     print_shadows(&of->file->shadows);
     if (of->has_lights)
@@ -226,7 +248,8 @@ json_t *info_gbuffer_json(const info_gbuffer *of)
                      "coverage", coverage(g), "layout", tl_layout_word(of->file->layout),
                      "bytes_per_pixel", (int)tl_gbuffer_pixel_size(of->file), "channels",
                      channels_json(of->file), "camera", camera_json(&g->camera), "planes",
-                     measured, "materials", materials_json(&of->file->materials), "layers",
-                     layers_json(of->file), "shadows", shadows_json(&of->file->shadows),
-                     "lights", of->has_lights ? info_lights_json(of->lights) : json_null());
+                     measured, "materials", materials_json(&of->file->materials), "objects",
+                     objects_json(of->file), "layers", layers_json(of->file), "shadows",
+                     shadows_json(&of->file->shadows), "lights",
+                     of->has_lights ? info_lights_json(of->lights) : json_null());
 }

@@ -13,9 +13,11 @@ tl_status job_capture(
     console_stage("capturing");
     for (size_t i = 0; options->all_shadows && i < j->lights.count; i++)
         j->lights.lights[i].casts_shadow = 1;
+    with_shadows.ids |= j->lights.link_count > 0;
     if (j->lights_given)
         with_shadows.shadow_lights = &j->lights;
-    TRY(tl_capture(scene, &with_shadows, &j->gbuffer, &found, &j->timings, &console_notices, err));
+    TRY(tl_capture(scene, &with_shadows, &j->gbuffer, &found, &j->timings, &console_notices,
+                   err));
     if (!j->lights_given) {
         j->lights = found;
         found = (tl_light_set){0};

@@ -3,6 +3,7 @@
 #include "gbuffer_header.h"
 #include "layer_parts.h"
 #include "material_attribute.h"
+#include "object_attribute.h"
 #include "packing.h"
 #include "shadow_parts.h"
 #include "try.h"
@@ -67,7 +68,9 @@ tl_status tl_gbuffer_read(
         TRY(read_lights(&reader, &brought, err));
     TRY(create(&reader, &promised, &made, err));
     TRY(tl_material_attribute_read(&reader, &made->materials, err));
+    TRY(tl_object_attribute_read(&reader, &made->objects, err));
     TRY(tl_words_read(&reader.part, &promised, made, err));
+    TRY(tl_ids_read(&reader.part, made, err));
     TRY(tl_layer_parts_read(&reader, &promised, made, err));
     TRY(tl_shadow_parts_read(&reader.stream, reader.part.file_size, &made->shadows, err));
 

@@ -5,6 +5,7 @@
 #include "gbuffer_preview.h"
 #include "layer_parts.h"
 #include "material_attribute.h"
+#include "object_attribute.h"
 #include "plane_channels.h"
 #include "shadow_parts.h"
 #include "try.h"
@@ -29,7 +30,7 @@ typedef struct source {
     tl_unpacking unpacking;
     joined joined;
     tl_word_channel words[TL_MAX_WORDS];
-    tl_exr_channel channels[TL_PREVIEW_COUNT + TL_MAX_WORDS + 1];
+    tl_exr_channel channels[TL_PREVIEW_COUNT + TL_MAX_WORDS + 2];
     size_t channel_count;
 } source;
 
@@ -90,6 +91,7 @@ static tl_status set_attributes(tl_exr_stream *stream,
             stream,
             exr_attr_set_int(context, 0, "tilelight:samples", (int32_t)gbuffer->samples), err));
     TRY(tl_material_attribute_write(stream, &gbuffer->materials, err));
+    TRY(tl_object_attribute_write(stream, &gbuffer->objects, err));
     TRY(tl_layer_counts_write(stream, &gbuffer->layers, err));
     TRY(tl_camera_attributes_write(stream, 0, &gbuffer->camera, err));
     if (lights) {
@@ -135,6 +137,11 @@ static tl_exr_picture picture_of(const tl_gbuffer *gbuffer, source *from)
         from->channel_count++;
     }
     list_words(from);
+    if (gbuffer->ids)
+        from->channels[from->channel_count++] = (tl_exr_channel){.name = TL_ID_CHANNEL,
+                                                                 .type = EXR_PIXEL_UINT,
+                                                                 .held = EXR_PIXEL_UINT,
+                                                                 .plane = gbuffer->ids};
     if (gbuffer->opacity)
         from->channels[from->channel_count++] = (tl_exr_channel){.name = TL_OPACITY_CHANNEL,
                                                                  .type = EXR_PIXEL_FLOAT,

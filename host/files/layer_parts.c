@@ -1,5 +1,6 @@
 #include "layer_parts.h"
 
+#include "object_attribute.h"
 #include "size_limit.h"
 #include "try.h"
 #include "words_read.h"
@@ -135,6 +136,7 @@ static tl_status read_layer(tl_exr_reader *reader,
     TRY(tl_layers_add(out, &layer, err));
     const tl_exr_target opacity = {TL_OPACITY_CHANNEL, EXR_PIXEL_FLOAT, layer->opacity};
     TRY(tl_words_read(part, header, layer, err));
+    TRY(tl_ids_read(part, layer, err));
     TRY(tl_exr_part_pixels(part, &opacity, 1, layer->pitch, err));
 done:
     return status;

@@ -29,5 +29,6 @@ const tl_light_field tl_light_fields[TL_LIGHT_FIELD_COUNT] = {
     {"profile", TL_FIELD_PROFILE, offsetof(tl_light, profile), PLACED, 0},
     {"profileScale", TL_FIELD_SCALE, offsetof(tl_light, profile_scale), PLACED, 0},
     {"up", TL_FIELD_UNIT, offsetof(tl_light, up), PLACED, 0},
+    {"link", TL_FIELD_LINK, offsetof(tl_light, link), ANY, 0},
     {"castsShadow", TL_FIELD_FLAG, offsetof(tl_light, casts_shadow), ANY, 0},
 };

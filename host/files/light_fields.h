@@ -20,7 +20,8 @@ typedef enum tl_field_kind {
     TL_FIELD_IMAGE,   /* uint32_t: 1 + index of the set's images, as a path */
     TL_FIELD_PROFILE, /* uint32_t: 1 + index of the set's profiles, as a path */
     TL_FIELD_SCALE,   /* tl_profile_scale, as its word */
-    TL_FIELD_FLAG     /* uint32_t: 0 or 1, as false or true */
+    TL_FIELD_FLAG,    /* uint32_t: 0 or 1, as false or true */
+    TL_FIELD_LINK     /* uint32_t: 1 + index of the set's links, as an object */
 } tl_field_kind;
 
 typedef struct tl_light_field {
@@ -31,7 +32,7 @@ typedef struct tl_light_field {
     unsigned required_by; /* those that must; for others tl_light_default has the default */
 } tl_light_field;
 
-enum { TL_LIGHT_FIELD_COUNT = 20 };
+enum { TL_LIGHT_FIELD_COUNT = 21 };
 
 /* `type` itself is not among them: it decides which of them apply. Of point lights those alone have a direction
  * that have a profile. */

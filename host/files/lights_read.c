@@ -4,6 +4,7 @@
 #include "light_images.h"
 #include "light_profiles.h"
 #include "light_values.h"
+#include "link_read.h"
 #include "material_rows_read.h"
 #include "sky_read.h"
 #include "try.h"
@@ -108,6 +109,7 @@ static tl_status read_field(const tl_place *at,
     case TL_FIELD_PROFILE: return tl_light_profile_read(at, field->name, value, set, to, err);
     case TL_FIELD_SCALE: return read_scale(at, field->name, value, to, err);
     case TL_FIELD_FLAG: return read_flag(at, field->name, value, to, err);
+    case TL_FIELD_LINK: return tl_read_link(at, field->name, value, set, to, err);
     case TL_FIELD_NAME: break;
     }
     return read_name(at, field->name, value, to, err);

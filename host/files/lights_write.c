@@ -73,6 +73,19 @@ static void print_file(writing *w, const char *path)
     free(name);
 }
 
+static void print_link(FILE *out, const tl_light_link *link)
+{
+    fprintf(out, "{ \"%s\": [", link->except ? "except" : "only");
+    for (size_t i = 0; i < link->count; i++) {
+        fputs(i == 0 ? "" : ", ", out);
+        if (link->of[i].name[0])
+            print_name(out, link->of[i].name);
+        else
+            fprintf(out, "%u", link->of[i].id);
+    }
+    fputs("] }", out);
+}
+
 static void print_field(writing *w, const tl_light_field *field, const tl_light *light)
 {
     FILE *const out = w->out;
@@ -90,6 +103,8 @@ static void print_field(writing *w, const tl_light_field *field, const tl_light 
         print_file(w, w->set->profiles[light->profile - 1].path);
     else if (field->kind == TL_FIELD_SCALE)
         fprintf(out, "\"%s\"", tl_profile_scale_words[light->profile_scale]);
+    else if (field->kind == TL_FIELD_LINK)
+        print_link(out, &w->set->links[light->link - 1]);
     else if (field->kind == TL_FIELD_FLAG)
         fputs(*(const uint32_t *)(const void *)at ? "true" : "false", out);
     else if (field->kind == TL_FIELD_FALLOFF)
@@ -111,6 +126,7 @@ static size_t field_size(tl_field_kind kind)
         [TL_FIELD_PROFILE] = sizeof(uint32_t),
         [TL_FIELD_SCALE] = sizeof(tl_profile_scale),
         [TL_FIELD_FLAG] = sizeof(uint32_t),
+        [TL_FIELD_LINK] = sizeof(uint32_t),
     };
     return sizes[kind];
 }

@@ -35,10 +35,11 @@ uint64_t tl_effects_of_light(uint64_t all_causes, uint64_t light_causes)
 
 bool tl_effect_is_by_tile(tl_effect effect)
 {
-    static const uint64_t by_tile =
-        TL_ON(TL_EFFECT_RANGED) | TL_ON(TL_EFFECT_SPOTS) | TL_ON(TL_EFFECT_SPECULAR) |
-        TL_ON(TL_EFFECT_TABLE) | TL_ON(TL_EFFECT_PROJECTED) | TL_ON(TL_EFFECT_AROUND) |
-        TL_ON(TL_EFFECT_AMBIENT_LOBE) | TL_ON(TL_EFFECT_SHADOWS) | TL_ON(TL_EFFECT_PROFILES);
+    static const uint64_t by_tile = TL_ON(TL_EFFECT_RANGED) | TL_ON(TL_EFFECT_SPOTS) |
+                                    TL_ON(TL_EFFECT_SPECULAR) | TL_ON(TL_EFFECT_TABLE) |
+                                    TL_ON(TL_EFFECT_PROJECTED) | TL_ON(TL_EFFECT_AROUND) |
+                                    TL_ON(TL_EFFECT_AMBIENT_LOBE) | TL_ON(TL_EFFECT_SHADOWS) |
+                                    TL_ON(TL_EFFECT_PROFILES) | TL_ON(TL_EFFECT_LINKS);
     return (by_tile >> effect & 1u) != 0;
 }
 

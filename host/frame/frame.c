@@ -4,6 +4,7 @@
 #include "falloff.h"
 #include "largest.h"
 #include "layout.h"
+#include "links.h"
 #include "map.h"
 #include "ranges.h"
 #include "scene_causes.h"
@@ -168,6 +169,8 @@ static void add(const tl_gbuffer *gbuffer,
     tl_causes_of_light(explanation, light, &v, source, global);
     if (tl_shadow_of(gbuffer, light))
         tl_cause_found(explanation, TL_CAUSE_SHADOW, source);
+    if (light->link > 0)
+        tl_cause_found(explanation, TL_CAUSE_LINK, source);
     prepared->two_colored_count += !is_idle && has_two_colors(&v);
     tl_choices_note(prepared, &v, &spot, tl_light_has_shape(gbuffer, light));
     if (options->lit && !options->lit[source]) {
@@ -367,6 +370,7 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
                       options->shadow_filter ? options->shadow_filter
                                              : TL_DEFAULT_SHADOW_FILTER,
                       prepared, err));
+    TRY(tl_links_add(gbuffer, lights, prepared, err));
     if (!gbuffer->opacity)
         TRY(tl_sky_add(&gbuffer->camera, lights, prepared, err));
     if (prepared->explanation.causes & TL_BY(TL_CAUSE_SKY_LIGHT))

@@ -29,7 +29,7 @@ typedef struct tl_prepared {
     /* [images of the set], row of each that is in a section, else 0; owned */
     tl_u32 *images_at;
     size_t image_capacity;
-    tl_sky_map *sky_map; /* that lit the last frame; shared; NULL: none did */
+    tl_sky_map *sky_map;   /* that lit the last frame; shared; NULL: none did */
     double brightness;     /* of all lights: the sum of the largest numbers of their colours */
     float brightest_texel; /* of pictures that are shown, and 1 at least */
     /* 0: whatever lobes make of it, light does not add up beyond the largest float (largest.h); else pixels
@@ -61,7 +61,7 @@ typedef struct tl_prepare_options {
 /* Fills *prepared, growing its lights where they do not fit; all zero is a valid start. Lights that add
  * exactly nothing are not among them (explanation.idle_lights), unless all effects are asked for. Names
  * spots that light nothing, materials and ambient occlusion that are for nothing, and lights that cast
- * shadows of which there is no map, in a notice. Fails as tl_brdf_table_make does, with TL_ERR_ARGUMENT
+ * shadows of which there is no map, in a notice. Fails as tl_brdf_table_make and tl_links_add do, with TL_ERR_ARGUMENT
  * (more than 2^31 lights, or sections that rows do not count) or TL_ERR_MEMORY. */
 tl_status tl_prepare(const tl_gbuffer *gbuffer,
                      const tl_light_set *lights,

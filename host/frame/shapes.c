@@ -25,7 +25,7 @@ void tl_lobe_color(const tl_light_set *set, const tl_light *light, float lobe, f
 int tl_light_has_shape(const tl_gbuffer *gbuffer, const tl_light *light)
 {
     return light->table > 0 || light->texture > 0 || light->profile > 0 ||
-           light->ambient > 0.0f || tl_shadow_of(gbuffer, light) != NULL;
+           light->ambient > 0.0f || light->link > 0 || tl_shadow_of(gbuffer, light) != NULL;
 }
 
 static double dot(const double a[3], const double b[3])
@@ -133,7 +133,7 @@ static tl_status add_texture(const tl_camera *camera,
     const int is_spot = light->type == TL_LIGHT_SPOT;
     const stand s = is_spot ? stand_of_spot(light) : stand_of_point(light);
     const double half_view = is_spot ? tan((double)light->outer_cone) : 1.0;
-    shape->is_spot = (tl_u32)is_spot;
+    shape->spot_and_link |= (tl_u32)is_spot;
     turn_map(camera, &s, is_spot ? 0.5 * image->width / half_view : 1.0,
              is_spot ? 0.5 * image->height / half_view : 1.0, &shape->map);
     return tl_map_show(lights, light->texture, 1.0, prepared, &shape->map, err);
@@ -210,17 +210,25 @@ tl_status tl_shapes_add(const tl_gbuffer *gbuffer,
     tl_status status = TL_OK;
     uint32_t count = 0, index = 0;
     tl_u32 *shared = NULL;
-    for (uint32_t i = 0; i < prepared->frame.light_count; i++)
-        count += (uint32_t)tl_light_has_shape(gbuffer, &lights->lights[prepared->sources[i]]);
+    tl_u32 links_at;
+    int is_linked = 0;
+    for (uint32_t i = 0; i < prepared->frame.light_count; i++) {
+        const tl_light *light = &lights->lights[prepared->sources[i]];
+        count += (uint32_t)tl_light_has_shape(gbuffer, light);
+        is_linked |= light->link > 0;
+    }
     if (count == 0)
         return TL_OK;
     if (count > TL_BITS_OF_ONE - TL_FADE_COUNT)
-        return tl_fail(err, TL_ERR_ARGUMENT,
-                       "%u lights with textures, tables, profiles, ambient lobes or shadows",
-                       count);
+        return tl_fail(
+            err, TL_ERR_ARGUMENT,
+            "%u lights with textures, tables, profiles, ambient lobes, shadows or links",
+            count);
     shared = calloc(lights->profile_count + 1, sizeof *shared);
     if (!shared)
         TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for the profiles of lights"));
+    if (is_linked) /* the row before shapes: links.h */
+        TRY(tl_section_add(prepared, sizeof(tl_view_links), &links_at, NULL, err));
     TRY(tl_section_add(prepared, count * sizeof(tl_view_shape), &prepared->frame.shapes_at,
                        NULL, err));
     for (uint32_t i = 0; i < prepared->frame.light_count; i++)

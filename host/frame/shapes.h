@@ -4,7 +4,8 @@
 
 #include "prepared.h"
 
-/* Whether the light has any of it: a falloff table, a texture, a profile, an ambient lobe, a shadow map. */
+/* Whether the light has any of it: a falloff table, a texture, a profile, an ambient lobe, a shadow map, a link
+ * to objects. */
 int tl_light_has_shape(const tl_gbuffer *gbuffer, const tl_light *light);
 
 /* Once all lights of the frame are there: gives those that call for it their shapes, and adds tables,

@@ -45,6 +45,20 @@ static void copy_facts(const tl_gbuffer *from, tl_gbuffer *to)
     memcpy(to->indices, from->indices, sizeof to->indices);
 }
 
+static tl_status copy_ids(const tl_gbuffer *from,
+                          const tl_region *window,
+                          tl_gbuffer *to,
+                          tl_error *err)
+{
+    tl_status status = TL_OK;
+    if (!from->ids)
+        return TL_OK;
+    TRY(tl_ids_add(to, err));
+    copy_rows(from->ids, from->pitch, to->ids, to->pitch, sizeof *to->ids, window);
+done:
+    return status;
+}
+
 static void copy_planes(const tl_gbuffer *from, const tl_region *window, tl_gbuffer *to)
 {
     for (uint32_t i = 0; i < TL_MAX_WORDS; i++) {
@@ -75,7 +89,7 @@ static tl_status copy_layer(const tl_gbuffer *from,
     copy_rows(from->opacity, from->pitch, to->opacity, to->pitch, sizeof(float), window);
     to->shown_from = cut_row(from->shown_from, window);
     to->shown_to = cut_row(from->shown_to, window);
-    return TL_OK;
+    return copy_ids(from, window, to, err);
 }
 
 tl_status tl_gbuffer_cut(tl_gbuffer **gbuffer, const tl_region *window, tl_error *err)
@@ -89,13 +103,16 @@ tl_status tl_gbuffer_cut(tl_gbuffer **gbuffer, const tl_region *window, tl_error
     TRY(tl_gbuffer_create_packed(&camera, from->layout, from->present, &made, err));
     copy_facts(from, made);
     copy_planes(from, window, made);
+    TRY(copy_ids(from, window, made, err));
     for (uint32_t i = 0; i < from->layers.count; i++)
         TRY(copy_layer(from->layers.of[i], window, made, err));
     made->layers.left = from->layers.left;
     made->shadows = from->shadows;
     made->materials = from->materials;
+    made->objects = from->objects;
     from->shadows = (tl_shadow_maps){0};
     from->materials = (tl_material_names){0};
+    from->objects = (tl_objects){0};
     tl_gbuffer_destroy(from);
     *gbuffer = made;
     made = NULL;

@@ -118,6 +118,8 @@ void tl_gbuffer_destroy(tl_gbuffer *gbuffer)
     tl_shadow_maps_clear(&gbuffer->shadows);
     tl_layers_clear(&gbuffer->layers);
     free(gbuffer->opacity);
+    free(gbuffer->ids);
+    tl_objects_clear(&gbuffer->objects);
     free(gbuffer->planes);
     free(gbuffer);
 }

@@ -109,6 +109,7 @@ static tl_status pack_layers(const tl_gbuffer *from,
         tl_gbuffer *layer = NULL;
         TRY(tl_layers_add(made, &layer, err));
         tl_layer_copy_opacity(from->layers.of[i], layer);
+        TRY(tl_ids_copy(from->layers.of[i], layer, err));
         TRY(pack_surface(from->layers.of[i], to_phong, layer, sum, err));
     }
 done:
@@ -142,6 +143,7 @@ tl_status tl_gbuffer_pack(const tl_gbuffer *from,
     TRY(tl_gbuffer_create_packed(&from->camera, layout, stored, &made, err));
     made->samples = from->samples;
     TRY(tl_material_names_copy(&from->materials, &made->materials, err));
+    TRY(tl_ids_copy(from, made, err));
     TRY(tl_shadow_maps_copy(&from->shadows, &made->shadows, err));
     TRY(pack_surface(from, to_phong, made, &sum, err));
     TRY(pack_layers(from, to_phong, made, &sum, err));

@@ -108,6 +108,7 @@ static tl_status unpack_layers(const tl_gbuffer *from, tl_gbuffer *to, tl_error 
         tl_gbuffer *layer = NULL;
         TRY(tl_layers_add(to, &layer, err));
         tl_layer_copy_opacity(from->layers.of[i], layer);
+        TRY(tl_ids_copy(from->layers.of[i], layer, err));
         unpack_surface(from->layers.of[i], layer);
     }
 done:
@@ -121,6 +122,7 @@ tl_status tl_gbuffer_unpack(const tl_gbuffer *from, tl_gbuffer **out, tl_error *
     TRY(tl_gbuffer_create(&from->camera, from->present, &made, err));
     made->samples = from->samples;
     TRY(tl_material_names_copy(&from->materials, &made->materials, err));
+    TRY(tl_ids_copy(from, made, err));
     TRY(tl_shadow_maps_copy(&from->shadows, &made->shadows, err));
     unpack_surface(from, made);
     TRY(unpack_layers(from, made, err));

@@ -157,6 +157,10 @@ tl_status tl_promise_light(const tl_asked *asked,
             "this capture has %u: light it without a promise, or capture it with "
             "--layers 0",
             asked->gbuffer->layers.count));
+    if (asked->lights->link_count > 0)
+        TRY(tl_fail(err, TL_ERR_UNSUPPORTED,
+                    "nothing is promised of lights that are linked to objects: light the frame "
+                    "without a promise, or with lights that are for all objects"));
     *out =
         (tl_kept){.of = (uint64_t)asked->gbuffer->camera.width * asked->gbuffer->camera.height};
     TRY(tl_prepare(asked->gbuffer, asked->lights, &plain, NULL, &w.prepared, err));

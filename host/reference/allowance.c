@@ -114,6 +114,7 @@ static rough_surface rough_surface_of(
         surface_of(frame, prepared->needs, in, exponent, (real)column, (scalar)row);
     const double world2 = dot3(in.normal, in.normal), eye2 = dot3(s.position, s.position);
     rough_surface r = {.exact = s,
+                       .at = (size_t)row * frame->pitch + column,
                        .off = tl_approximations_off(&prepared->approximations),
                        .moved_x = moved_along(ray_x, step_x, in.depth, parallel),
                        .moved_y = moved_along(ray_y, step_y, in.depth, parallel),
@@ -307,7 +308,8 @@ static void tint_on(const tl_prepared *prepared,
     for (int i = 0; i < 3; i++)
         tint[i] = (interval){1.0, 1.0};
     if (shape && shape->map.pixels_at != 0)
-        tl_map_allowance(prepared, &shape->map, (int)shape->is_spot, from, w->l_moved, tint);
+        tl_map_allowance(prepared, &shape->map, (int)(shape->spot_and_link & 1u), from,
+                         w->l_moved, tint);
 }
 
 /* One more product, whose colour is cut. */
@@ -397,7 +399,8 @@ static rough_light light_on(const tl_prepared *prepared,
                       ? way_to_sun(light)
                       : way_to(s, light, index < prepared->frame.global_count);
     rough_light out = {.distance = w.exact};
-    if (!w.may_reach)
+    if (!w.may_reach || (shape && !lanes_of_link(&prepared->frame, prepared->needs,
+                                                 (tl_numbers)prepared->lights, *shape, s->at)))
         return out;
     const incidence n_dot_l = incidence_of(s, &w);
     const aperture cone = aperture_of(prepared->spots[index], &w);

@@ -14,14 +14,19 @@ typedef struct light_choice {
     uint32_t count;
 } light_choice;
 
-/* What the surface of a pixel receives of these lights. Those that reach the pixel are among them; what others
+/* What the surface of pixel `at` receives of these lights. Those that reach the pixel are among them; what others
  * add is exactly nothing. */
-TL_INLINE received
-received_of(const tl_prepared *prepared, light_choice lights, pixel in, surface s, substance m)
+TL_INLINE received received_of(const tl_prepared *prepared,
+                               light_choice lights,
+                               pixel in,
+                               surface s,
+                               substance m,
+                               size_t at)
 {
     const tl_frame *frame = &prepared->frame;
     const tl_needs needs = prepared->needs;
-    const finish f = finish_of(needs, s, m);
+    finish f = finish_of(needs, s, m);
+    f.at = at;
     received sum = nothing_received();
     if (in.depth < (real)INFINITY) {
         for (uint32_t k = 0; k < lights.count; k++) {
@@ -35,12 +40,12 @@ received_of(const tl_prepared *prepared, light_choice lights, pixel in, surface 
 }
 
 /* What leaves it towards the eye, lit by every light of the frame. */
-TL_INLINE vec3 light_surface(const tl_prepared *prepared, pixel in, surface s)
+TL_INLINE vec3 light_surface(const tl_prepared *prepared, pixel in, surface s, size_t at)
 {
     const light_choice all = {NULL, prepared->frame.light_count};
     const substance m = substance_at(&prepared->frame, prepared->needs, in, prepared->rows);
     return radiance_of(&prepared->frame, prepared->needs, in, m,
-                       received_of(prepared, all, in, s, m));
+                       received_of(prepared, all, in, s, m, at));
 }
 
 /* Of a pixel that is not packed. */
@@ -51,7 +56,8 @@ TL_INLINE vec3 light_pixel(const tl_prepared *prepared, pixel in, uint32_t colum
         prepared, in,
         surface_of(&prepared->frame, needs, in,
                    substance_at(&prepared->frame, needs, in, prepared->rows).shininess,
-                   (real)column, (scalar)row));
+                   (real)column, (scalar)row),
+        (size_t)row * prepared->frame.pitch + column);
 }
 
 #endif

@@ -43,6 +43,7 @@ static inline interval at_most(interval a, double most)
 /* A surface, and how far a kernel's may be from it. */
 typedef struct rough_surface {
     surface exact;
+    size_t at; /* in the planes of the frame */
     substance made;
     tl_u32 model, traits;
     double moved_x, moved_y; /* m; of the position. z is the depth, exact */

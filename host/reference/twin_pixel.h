@@ -27,7 +27,7 @@ TL_INLINE seen_pixel twin_pixel(const tl_prepared *prepared,
     pixel in = pixel_of(needs, planes->layout, &words, -s.position.z);
     in.occlusion = ambient_share(frame, needs, (tl_numbers)prepared->lights, in.occlusion, at);
     const substance m = substance_at(frame, needs, in, prepared->rows);
-    const received sum = received_of(prepared, lights, in, s, m);
+    const received sum = received_of(prepared, lights, in, s, m, at);
     seen_pixel seen;
     seen.radiance =
         seen_radiance(frame, needs, prepared->lights, in.depth,

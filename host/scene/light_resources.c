@@ -111,6 +111,41 @@ double tl_light_candela(const tl_light_set *set, const tl_light *light)
     return intensity * set->profiles[light->profile - 1].peak;
 }
 
+static int is_same_link(const tl_light_link *a, const tl_light_link *b)
+{
+    if (a->except != b->except || a->count != b->count)
+        return 0;
+    for (size_t i = 0; i < a->count; i++)
+        if (a->of[i].id != b->of[i].id || strcmp(a->of[i].name, b->of[i].name) != 0)
+            return 0;
+    return 1;
+}
+
+tl_status tl_light_set_add_link(tl_light_set *set,
+                                const tl_light_link *link,
+                                uint32_t *out,
+                                tl_error *err)
+{
+    for (size_t i = 0; i < set->link_count; i++)
+        if (is_same_link(&set->links[i], link)) {
+            *out = (uint32_t)i + 1;
+            return TL_OK;
+        }
+    tl_link_object *const copy = calloc(link->count + 1, sizeof *copy);
+    tl_status status = copy ? TL_OK : tl_fail(err, TL_ERR_MEMORY, "out of memory for a link");
+    if (status == TL_OK)
+        status = grow((void **)&set->links, set->link_count, sizeof *set->links, err);
+    if (status != TL_OK) {
+        free(copy);
+        return status;
+    }
+    memcpy(copy, link->of, link->count * sizeof *copy);
+    set->links[set->link_count++] =
+        (tl_light_link){.except = link->except, .count = link->count, .of = copy};
+    *out = (uint32_t)set->link_count;
+    return TL_OK;
+}
+
 int tl_light_set_has_sky(const tl_light_set *set)
 {
     if (set->sky_type == TL_SKY_IMAGE)
@@ -138,6 +173,9 @@ void tl_light_resources_clear(tl_light_set *set)
         free(set->profiles[i].path);
         free(set->profiles[i].shares);
     }
+    for (size_t i = 0; i < set->link_count; i++)
+        free(set->links[i].of);
+    free(set->links);
     free(set->tables);
     free(set->images);
     free(set->profiles);

@@ -3,10 +3,12 @@
 #include "blending.h"
 #include "geometry_pass.h"
 #include "shadow_pass.h"
+#include "targets.h"
 #include "tilelight/layouts.h"
 #include "try.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 /* Planes are there where something that is drawn has need of them. */
 static uint32_t planes_of(const tl_model *model, bool materials)
@@ -102,6 +104,36 @@ done:
     return status;
 }
 
+/* Ids of the nodes that are drawn, and their names; those without one are called by their number. */
+static tl_status begin_ids(const tl_model *model, tl_gbuffer *gbuffer, tl_error *err)
+{
+    tl_status status = TL_OK;
+    bool *is_drawn = calloc(model->gltf->node_count + 1, sizeof *is_drawn);
+    if (!is_drawn)
+        TRY(tl_fail(err, TL_ERR_MEMORY, "%s: out of memory for its objects",
+                    model->gltf->path));
+    if (tl_target_of_ids(gbuffer->layout, gbuffer->present) < 0)
+        TRY(tl_fail(
+            err, TL_ERR_UNSUPPORTED,
+            "%s: layout %s draws to as many targets as OpenGL has, and leaves none for ids of "
+            "objects: capture in another layout and convert",
+            model->gltf->path, tl_layout_word(gbuffer->layout)));
+    TRY(tl_ids_add(gbuffer, err));
+    for (size_t i = 0; i < model->draw_count; i++)
+        is_drawn[model->draws[i].node] = true;
+    for (size_t i = 0; i < model->gltf->node_count; i++) {
+        char number[32];
+        snprintf(number, sizeof number, "node %zu", i);
+        const char *name = model->gltf->nodes[i].name;
+        if (is_drawn[i])
+            TRY(tl_objects_add(&gbuffer->objects, (uint32_t)i + 1, name[0] ? name : number,
+                               err));
+    }
+done:
+    free(is_drawn);
+    return status;
+}
+
 static uint32_t layers_of(const tl_capture_options *options)
 {
     const uint32_t asked = options->layers ? options->layers : TL_DEFAULT_LAYERS;
@@ -147,6 +179,8 @@ static tl_status render(const tl_model *model,
                                  &gbuffer, err));
     if (gbuffer->present & TL_GROUP_BRDF)
         TRY(name_materials(model, &gbuffer->materials, err));
+    if (options->ids)
+        TRY(begin_ids(model, gbuffer, err));
     gbuffer->samples = side_of(options) * side_of(options);
     TRY(tl_gl_open(&gl, err));
     TRY(tl_upload(gl, model, &objects, timings, err));

@@ -16,7 +16,8 @@ _Static_assert(SLOT_COUNT == (int)TL_GLTF_SLOT_COUNT &&
 struct tl_placed_draw {
     const tl_part *part;
     const tl_material *material;
-    size_t index; /* of the part */
+    size_t index;  /* of the part */
+    GLuint object; /* id: its node, counted from 1 */
     unsigned features;
     bool mirrored;
     uint32_t first_rank; /* among what blends: blending.h */
@@ -125,6 +126,7 @@ static void prepare_draws(tl_drawing *p)
     for (size_t i = 0; i < p->model->draw_count; i++) {
         placed_draw *const to = &p->draws[i];
         to->index = p->model->draws[i].part;
+        to->object = (GLuint)p->model->draws[i].node + 1;
         to->part = &p->model->parts[to->index];
         to->material = &p->model->materials[to->part->material];
         to->features = features_of(p->model, to->part);
@@ -192,6 +194,8 @@ static void set_surface(const tl_drawing *p, const placed_draw *draw)
     p->gl->Uniform3fv(UNIFORM_EMISSIVE, 1, material->emissive);
     p->gl->Uniform4fv(UNIFORM_FACTORS, 1, factors);
     p->gl->Uniform1f(UNIFORM_BRDF, brdf_index(p->model, draw->part));
+    if (p->has_ids)
+        p->gl->Uniform1ui(UNIFORM_OBJECT, draw->object);
 }
 
 /* --- drawing ----------------------------------------------------------------------------------- */

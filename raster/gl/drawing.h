@@ -16,6 +16,7 @@ typedef struct tl_drawing {
     bool is_reversed; /* 1 on the near plane, 0 on the far plane; else 0 and 1 */
     bool
         is_layered; /* surfaces that blend are drawn by the passes of layers, not among the others */
+    bool has_ids; /* the surface and layer passes write which object is drawn */
     float anisotropy;
     tl_programs *programs; /* owned */
     float clip_from_view[4][4], world_from_view[3][3];

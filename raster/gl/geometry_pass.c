@@ -62,9 +62,11 @@ tl_status tl_geometry_pass(const tl_gl *gl,
     double clock = tl_seconds();
 
     TRY(tl_drawing_begin(&drawing, gl, model, objects, anisotropy, err));
-    tl_output_stage(gbuffer->layout, gbuffer->present, drawing.programs->output);
     tl_drawing_set_state(gl);
     TRY(tl_targets_create(gl, gbuffer, &targets, err));
+    tl_output_stage(gbuffer->layout, gbuffer->present, targets.id_target,
+                    drawing.programs->output);
+    drawing.has_ids = targets.ids != 0;
     TRY(begin_layers(&drawing, &targets, gbuffer, most_layers, &peeling, err));
     for (uint32_t first = 0; first < height; first += targets.rows) {
         const uint32_t left = height - first;

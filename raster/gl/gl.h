@@ -71,6 +71,7 @@
     X(StencilOp, STENCILOP)                                                 \
     X(TextureStorage2D, TEXTURESTORAGE2D)                                   \
     X(TextureSubImage2D, TEXTURESUBIMAGE2D)                                 \
+    X(Uniform1ui, UNIFORM1UI)                                               \
     X(Uniform1f, UNIFORM1F)                                                 \
     X(Uniform1fv, UNIFORM1FV)                                               \
     X(Uniform1iv, UNIFORM1IV)                                               \

@@ -220,7 +220,7 @@ static void say_target(stage *to, const tl_target *target, uint32_t number)
         say_numbers(to, target, number);
 }
 
-void tl_output_stage(enum tl_layout_name layout, uint32_t present, char *text)
+void tl_output_stage(enum tl_layout_name layout, uint32_t present, int id_target, char *text)
 {
     const tl_layout_info *info = tl_layout_describe(layout);
     stage to = {.layout = &tl_layouts[layout], .present = present, .text = text};
@@ -229,6 +229,11 @@ void tl_output_stage(enum tl_layout_name layout, uint32_t present, char *text)
         if (tl_target_is_color(layout, present, i))
             say(&to, "layout(location = %u) out %s target_%u;\n", i,
                 info->targets[i].format == TL_FORMAT_R32UI ? "uint" : "vec4", i);
+    if (id_target >= 0)
+        say(&to,
+            "layout(location = %d) out uint target_id;\n"
+            "layout(location = UNIFORM_OBJECT) uniform uint object;\n",
+            id_target);
     say(&to, "void main()\n{\n    surface s = visible_surface();\n    keep_fragment();\n");
     if (!(present & TL_GROUP_METAL_ROUGH))
         say(&to, "    s = phong_surface(s);\n");
@@ -237,5 +242,7 @@ void tl_output_stage(enum tl_layout_name layout, uint32_t present, char *text)
     for (uint32_t i = 0; i < info->target_count; i++)
         if (tl_target_is_color(layout, present, i))
             say_target(&to, &info->targets[i], i);
+    if (id_target >= 0)
+        say(&to, "    target_id = object;\n");
     say(&to, "}\n");
 }

@@ -188,11 +188,16 @@ static uint64_t read_choice(const tl_peeling *p,
 /* The one that layer `index` is read into. */
 static tl_status layer_at(tl_gbuffer *gbuffer, uint32_t index, tl_gbuffer **out, tl_error *err)
 {
+    tl_status status = TL_OK;
     *out = NULL;
     if (index == gbuffer->layers.count)
-        return tl_layers_add(gbuffer, out, err);
-    *out = gbuffer->layers.of[index];
-    return TL_OK;
+        TRY(tl_layers_add(gbuffer, out, err));
+    else
+        *out = gbuffer->layers.of[index];
+    if (gbuffer->ids)
+        TRY(tl_ids_add(*out, err));
+done:
+    return status;
 }
 
 tl_status tl_peel_band(const tl_peeling *p,

@@ -61,15 +61,28 @@ bool tl_target_is_color(enum tl_layout_name layout, uint32_t present, uint32_t i
     return bytes > 0 && !is_depth(target->format);
 }
 
+int tl_target_of_ids(enum tl_layout_name layout, uint32_t present)
+{
+    const uint32_t count = tl_layout_describe(layout)->target_count;
+    for (uint32_t i = 0; i < TL_MAX_TARGETS; i++)
+        if (i >= count || !tl_target_is_color(layout, present, i))
+            return (int)i;
+    return -1;
+}
+
 /* --- making them ------------------------------------------------------------------------------------ */
 
-static void make_color(const tl_gl *gl, tl_targets *made, uint32_t index, enum tl_format format)
+static GLuint make_color(const tl_gl *gl,
+                         const tl_targets *made,
+                         uint32_t index,
+                         enum tl_format format)
 {
-    gl->CreateTextures(GL_TEXTURE_2D, 1, &made->colors[index]);
-    gl->TextureStorage2D(made->colors[index], 1, formats[format].storage, (GLsizei)made->width,
+    GLuint texture = 0;
+    gl->CreateTextures(GL_TEXTURE_2D, 1, &texture);
+    gl->TextureStorage2D(texture, 1, formats[format].storage, (GLsizei)made->width,
                          (GLsizei)made->rows);
-    gl->NamedFramebufferTexture(made->framebuffer, GL_COLOR_ATTACHMENT0 + index,
-                                made->colors[index], 0);
+    gl->NamedFramebufferTexture(made->framebuffer, GL_COLOR_ATTACHMENT0 + index, texture, 0);
+    return texture;
 }
 
 static void make_depth(const tl_gl *gl, const tl_targets *made, GLenum storage, GLenum where)
@@ -96,14 +109,15 @@ static void find_sky(const tl_gbuffer *gbuffer, const tl_target *target, unsigne
 static void make_targets(const tl_gl *gl, const tl_gbuffer *gbuffer, tl_targets *made)
 {
     const tl_layout_info *info = tl_layout_describe(gbuffer->layout);
-    GLenum draws[TL_MAX_TARGETS];
+    GLenum draws[TL_MAX_TARGETS] = {GL_NONE};
+    GLsizei draw_count = (GLsizei)info->target_count;
     gl->CreateFramebuffers(1, &made->framebuffer);
     for (uint32_t i = 0; i < info->target_count; i++) {
         const tl_target *target = &info->targets[i];
         draws[i] = GL_NONE;
         if (tl_target_is_color(gbuffer->layout, gbuffer->present, i)) {
             draws[i] = GL_COLOR_ATTACHMENT0 + i;
-            make_color(gl, made, i, target->format);
+            made->colors[i] = make_color(gl, made, i, target->format);
             find_sky(gbuffer, target, made->sky[i]);
         } else if (is_depth(target->format)) {
             make_depth(gl, made, formats[target->format].storage, GL_DEPTH_STENCIL_ATTACHMENT);
@@ -111,7 +125,13 @@ static void make_targets(const tl_gl *gl, const tl_gbuffer *gbuffer, tl_targets 
     }
     if (!tl_depth_buffer_of(gbuffer->layout).is_stored)
         make_depth(gl, made, GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT);
-    gl->NamedFramebufferDrawBuffers(made->framebuffer, (GLsizei)info->target_count, draws);
+    if (made->id_target >= 0) {
+        const uint32_t at = (uint32_t)made->id_target;
+        draws[at] = GL_COLOR_ATTACHMENT0 + at;
+        made->ids = make_color(gl, made, at, TL_FORMAT_R32UI);
+        draw_count = draw_count > made->id_target ? draw_count : made->id_target + 1;
+    }
+    gl->NamedFramebufferDrawBuffers(made->framebuffer, draw_count, draws);
 }
 
 tl_status tl_targets_create(const tl_gl *gl,
@@ -121,8 +141,10 @@ tl_status tl_targets_create(const tl_gl *gl,
 {
     const tl_camera *const camera = &gbuffer->camera;
     const uint32_t fitting = band_pixels / camera->width;
-    tl_targets made = {.width = camera->width,
-                       .rows = camera->height < fitting ? camera->height : fitting};
+    tl_targets made = {
+        .id_target = gbuffer->ids ? tl_target_of_ids(gbuffer->layout, gbuffer->present) : -1,
+        .width = camera->width,
+        .rows = camera->height < fitting ? camera->height : fitting};
     make_targets(gl, gbuffer, &made);
     const tl_status status = tl_gl_check(gl, "making the geometry pass's targets", err);
     if (status != TL_OK)
@@ -156,6 +178,8 @@ void tl_targets_wipe(const tl_gl *gl, const tl_targets *given, enum tl_layout_na
         if (given->colors[i])
             gl->ClearTexImage(given->colors[i], 0, formats[info->targets[i].format].format,
                               formats[info->targets[i].format].type, given->sky[i]);
+    if (given->ids)
+        gl->ClearTexImage(given->ids, 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &(GLuint){0});
     if (depth.is_stored)
         gl->ClearNamedFramebufferfi(given->framebuffer, GL_DEPTH_STENCIL, 0, far_end, 0);
     else
@@ -272,6 +296,20 @@ static void read_chunk(const tl_gl *gl,
     tl_parallel(rows, 16, split_rows, &job);
 }
 
+/* Rows of objects' ids. */
+static void read_ids(const tl_gl *gl,
+                     const tl_targets *given,
+                     tl_gbuffer *gbuffer,
+                     uint32_t first,
+                     uint32_t rows)
+{
+    gl->NamedFramebufferReadBuffer(given->framebuffer,
+                                   GL_COLOR_ATTACHMENT0 + (GLenum)given->id_target);
+    for (uint32_t y = 0; y < rows; y++)
+        gl->ReadPixels(0, (GLint)y, (GLsizei)given->width, 1, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                       gbuffer->ids + (size_t)(first + y) * gbuffer->pitch);
+}
+
 void tl_targets_read(const tl_gl *gl,
                      const tl_targets *given,
                      tl_gbuffer *gbuffer,
@@ -293,4 +331,6 @@ void tl_targets_read(const tl_gl *gl,
                        left < given->chunk_rows ? left : given->chunk_rows);
         }
     }
+    if (given->ids)
+        read_ids(gl, given, gbuffer, first, rows);
 }

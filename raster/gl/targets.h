@@ -21,9 +21,14 @@ tl_depth_buffer tl_depth_buffer_of(enum tl_layout_name layout);
  * location in the shader. */
 bool tl_target_is_color(enum tl_layout_name layout, uint32_t present, uint32_t index);
 
+/* Where ids of objects are drawn to, beside the layout's targets; -1: there is no place for one more. */
+int tl_target_of_ids(enum tl_layout_name layout, uint32_t present);
+
 typedef struct tl_targets {
     GLuint framebuffer;
     GLuint colors[TL_MAX_TARGETS];         /* textures, by target; 0: none */
+    GLuint ids;                            /* the same, of objects; 0: not asked for */
+    int id_target;                         /* its location, else -1 */
     unsigned char sky[TL_MAX_TARGETS][16]; /* their texels where nothing was hit */
     uint32_t width, rows;   /* a band of the picture: it is rendered band by band */
     uint32_t chunk_rows;    /* read back at a time */

@@ -50,3 +50,4 @@
     (UNIFORM_DEPTH_RANGE + 1) /* [SLOT_COUNT]; 1: as the sampler alone has it */
 #define UNIFORM_BRDF (UNIFORM_ANISOTROPY + SLOT_COUNT) /* index of the BRDF, 0: none */
 #define UNIFORM_RANK (UNIFORM_BRDF + 1)                /* of the first triangle: peel.glsl */
+#define UNIFORM_OBJECT (UNIFORM_RANK + 1)              /* id, where ids are drawn */

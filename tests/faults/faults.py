@@ -409,6 +409,22 @@ FAULTS = [
           "planes + color * (size_t)of->image->pitch", "planes + (color > 9) * (size_t)of->image->pitch",
           "test_file_image_exr", []),
 
+    # Links of lights to objects.
+    Fault("link-bit", "links beyond the first are looked up as the first", "kernels/link.h",
+          "((words >> ((link - 1) % 32)) & 1u)", "(words & 1u)", "test_light_links", []),
+    Fault("link-band", "bands look at the pixels of the first", "kernels/link.h",
+          "(size_t)(frame->first_row - frame->buffer_row)", "(size_t)(frame->buffer_row - frame->buffer_row)",
+          "test_light_links", []),
+    Fault("link-float", "ids are told apart as floats", "host/frame/links.c",
+          "        if (g->ids[at] != last) {", "        if ((float)g->ids[at] != (float)last) {", "test_light_links", []),
+    Fault("link-pattern", "an object that is called like a pattern is one of many", "host/frame/links.c",
+          "const int is_exact = is_name(l, object->name);", "const int is_exact = 0;", "test_light_links", []),
+    Fault("link-check", "a check lights all by all", "host/reference/allowance.c",
+          "(tl_numbers)prepared->lights, *shape, s->at)", "(tl_numbers)prepared->lights, *shape, 0)",
+          "test_light_links", []),
+    Fault("link-layers", "layers are read without their ids", "host/files/layer_parts.c",
+          "    TRY(tl_ids_read(part, layer, err));\n", "", "test_light_links", []),
+
     # Layers.
     Fault("layers-rank", "of panes at one place one is there", "raster/shaders/peel.glsl",
           "(depth < before || (depth == before && rank > taken.r))", "depth < before",

@@ -38,6 +38,7 @@ typedef enum tl_cause_kind {
     X(TL_CAUSE_PROFILE, TL_CAUSE_OF_LIGHTS, "light with a profile")                        \
     X(TL_CAUSE_AMBIENT_LOBE, TL_CAUSE_OF_LIGHTS, "light with an ambient lobe")             \
     X(TL_CAUSE_SHADOW, TL_CAUSE_OF_LIGHTS, "light with a shadow map")                      \
+    X(TL_CAUSE_LINK, TL_CAUSE_OF_LIGHTS, "light linked to objects")                        \
     X(TL_CAUSE_HIGHLIGHT, TL_CAUSE_OF_LIGHTS, "light with a specular lobe")                \
     X(TL_CAUSE_CONE, TL_CAUSE_OF_LIGHTS, "spot light")                                     \
     X(TL_CAUSE_GLOSS, TL_CAUSE_OF_PLANES, "specular or metal-rough material")              \
@@ -103,6 +104,8 @@ typedef char tl_causes_fit[TL_CAUSE_COUNT <= 64 ? 1 : -1];
       "TL_SHAPES")                                                                             \
     X(TL_EFFECT_SHADOWS, "shadows", "the share of a light that nothing stands before",         \
       TL_BY(TL_CAUSE_SHADOW), 0, "TL_SHAPES")                                                  \
+    X(TL_EFFECT_LINKS, "links", "lights that some objects alone have", TL_BY(TL_CAUSE_LINK),   \
+      0, "TL_SHAPES")                                                                          \
     X(TL_EFFECT_SPOTS, "spots", "cones of light", TL_BY(TL_CAUSE_CONE), 0, "TL_SPOTS")         \
     X(TL_EFFECT_SPECULAR, "specular", "highlights",                                            \
       TL_BY(TL_CAUSE_HIGHLIGHT) | TL_BY(TL_CAUSE_GLOSS) | TL_BY(TL_CAUSE_SHINY),               \

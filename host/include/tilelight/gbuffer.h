@@ -9,6 +9,7 @@
 #include "camera.h"
 #include "layers.h"
 #include "layout_names.h"
+#include "objects.h"
 #include "planes.h"
 #include "shadows.h"
 
@@ -83,6 +84,10 @@ typedef struct tl_gbuffer {
     tl_material_names materials; /* none where nobody named them */
     tl_shadow_maps shadows; /* of lights that were to cast shadows; owned; a layer has none */
     tl_layers layers; /* of surfaces that blend, before this one; owned; a layer has none */
+    /* [rows][pitch], owned, aligned as the planes: which object each pixel shows, 0: none that is told. NULL where
+     * nobody asked. Of layers too */
+    uint32_t *ids;
+    tl_objects objects; /* names of ids; a layer has none */
     /* Of a layer: whose it is, and [rows][pitch], owned, aligned as the planes: 0 where nothing is, to 1.
      * NULL of others. */
     const struct tl_gbuffer *layer_of;

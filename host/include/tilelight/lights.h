@@ -114,9 +114,24 @@ typedef struct tl_light {
      * docs/conventions.md */
     float up[3];
     uint32_t casts_shadow; /* 1: surfaces stand in its way, where a G-buffer has a map of it */
+    uint32_t link;         /* 1 + index of the set's links: which objects it lights; 0: all */
     char name[64];         /* for messages; may be empty */
     char group[64]; /* what is switched, scaled and kept apart together; empty: in none */
 } tl_light;
+
+/* One object of a link: by its id where `name` is empty, else by its name, in which * is any number of any
+ * characters and ? any one, unless an object is called just so. */
+typedef struct tl_link_object {
+    uint32_t id;
+    char name[128];
+} tl_link_object;
+
+/* Which objects a light is for. */
+typedef struct tl_light_link {
+    int except; /* 1: all but these; 0: these alone */
+    size_t count;
+    tl_link_object *of; /* [count] */
+} tl_light_link;
 
 /* How surfaces reflect that an index of the plane brdf, or a material of the capture, leads here. */
 typedef struct tl_material_row {
@@ -156,9 +171,10 @@ typedef struct tl_light_set {
     float zenith[3], ground[3]; /* of a gradient: straight up and straight down */
     /* 1 + index of images, of TL_SKY_IMAGE; a map of latitude and longitude */
     uint32_t sky_image;
-    float sky_intensity;         /* that the image is multiplied with, >= 0 */
-    float sky_rotation;          /* rad, of the image, anticlockwise as seen from above */
-    float sky_light; /* what of the sky's radiance lights surfaces, >= 0; 0: it is background alone */
+    float sky_intensity; /* that the image is multiplied with, >= 0 */
+    float sky_rotation;  /* rad, of the image, anticlockwise as seen from above */
+    float
+        sky_light; /* what of the sky's radiance lights surfaces, >= 0; 0: it is background alone */
     enum tl_shading_model model; /* how surfaces reflect */
     int has_shininess;           /* 1: all surfaces have this exponent in place of their own */
     float shininess;             /* 0 to 10000 */
@@ -166,10 +182,11 @@ typedef struct tl_light_set {
     tl_light *lights; /* [count] */
     size_t material_count;
     tl_material_row *materials; /* [material_count] */
-    size_t table_count, image_count, profile_count;
+    size_t table_count, image_count, profile_count, link_count;
     tl_light_table *tables;     /* [table_count] */
     tl_light_image *images;     /* [image_count] */
     tl_light_profile *profiles; /* [profile_count] */
+    tl_light_link *links;       /* [link_count] */
     char *
         folder; /* that paths of images and profiles are relative to, owned; NULL: the working directory */
 } tl_light_set;
@@ -194,6 +211,13 @@ tl_status tl_light_set_add_material(tl_light_set *set,
 /* Appends a copy of a table; *out becomes what tl_light.table is to be. Fails with TL_ERR_MEMORY. */
 tl_status tl_light_set_add_table(
     tl_light_set *set, const float *values, uint32_t count, uint32_t *out, tl_error *err);
+
+/* Appends a copy of a link, unless the set has one like it; *out becomes what tl_light.link is to be. Fails with
+ * TL_ERR_MEMORY. */
+tl_status tl_light_set_add_link(tl_light_set *set,
+                                const tl_light_link *link,
+                                uint32_t *out,
+                                tl_error *err);
 
 /* Appends an image with a copy of `path`; *out becomes what texture or sky_image is to be. Takes the
  * pixels, from malloc, also where it fails, with TL_ERR_MEMORY. */

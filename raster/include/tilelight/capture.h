@@ -25,7 +25,8 @@ typedef struct tl_capture_options {
     const char *camera;  /* name or index; NULL: the first of the default scene, else framed */
     const char *variant; /* of materials, name or index; NULL: the file's own materials */
     enum tl_layout_name layout; /* how pixels are packed; 0 is full float */
-    bool materials;      /* plane brdf with names; tangent, where anything drawn has one */
+    bool materials; /* plane brdf with names; tangent, where anything drawn has one */
+    bool ids;       /* which object each pixel shows: its node, counted from 1, and names */
     uint32_t anisotropy; /* where there are mipmaps, 1 (off) to 16; 0: TL_DEFAULT_ANISOTROPY */
     /* When: an animation of the file, by name or index, at a time in s; without both the scene
      * is as the file has it. NULL: the first. Beyond its end it is at its end, which is
@@ -53,7 +54,7 @@ typedef struct tl_capture_options {
  * metallic and roughness they become a Phong material (kernels/material.h); what else it has no place for
  * is named in a notice. Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED (an extension the file
  * requires; a layout whose convention of depth this camera has not; more than TL_MAX_MATERIALS with
- * `materials`; more than 2^24 triangles that blend), TL_ERR_ARGUMENT (size, samples, layers, camera,
+ * `materials`; more than 2^24 triangles that blend; ids in a layout whose targets are all that OpenGL has), TL_ERR_ARGUMENT (size, samples, layers, camera,
  * anisotropy, time, animation, variant; shadow maps beyond shadow_memory at their smallest), TL_ERR_MEMORY or
  * TL_ERR_DEVICE (OpenGL), naming the file and the node, mesh, accessor, image or extension concerned. */
 tl_status tl_capture(const char *path,
