@@ -185,7 +185,7 @@ static const struct {
     uint64_t memory; /* bytes; 0: no limit */
 } ways[] = {
     {TL_PATH_CPU, 16, 16, 0},
-    {TL_PATH_CPU, 16, 16, 76500},
+    {TL_PATH_CPU, 16, 16, 78000},
     {TL_PATH_GPU, 1, 32, 0},
 };
 
