@@ -15,15 +15,20 @@ typedef struct stage_row {
     uint32_t
         profile_count; /* lights of the frame that get a profile, alike in all directions */
     float occlusion_radius; /* m; 0: ambient light is not kept from anything */
+    float sky_light; /* 0: the sky is background alone */
 } stage_row;
 
 static const stage_row stages[] = {
-    {"shadows", "of a sun, in a map of 2048 texels each way", "sun", 1, 2048, 0, 0.0f},
-    {"shadows", "of 16 of 1024 lamps, in six maps of 256 each", "gloss", 16, 256, 0, 0.0f},
-    {"shadows", "of all of 1024 lamps, in six maps of 64 each", "gloss", 1024, 64, 0, 0.0f},
-    {"profiles", "of 16 of 1024 lamps", "gloss", 0, 0, 16, 0.0f},
-    {"profiles", "of all of 1024 lamps", "gloss", 0, 0, 1024, 0.0f},
-    {"ambient-occlusion", "within half a metre, in 64 looks a pixel", "spots", 0, 0, 0, 0.5f},
+    {"shadows", "of a sun, in a map of 2048 texels each way", "sun", 1, 2048, 0, 0.0f, 0.0f},
+    {"shadows", "of 16 of 1024 lamps, in six maps of 256 each", "gloss", 16, 256, 0, 0.0f,
+     0.0f},
+    {"shadows", "of all of 1024 lamps, in six maps of 64 each", "gloss", 1024, 64, 0, 0.0f,
+     0.0f},
+    {"profiles", "of 16 of 1024 lamps", "gloss", 0, 0, 16, 0.0f, 0.0f},
+    {"profiles", "of all of 1024 lamps", "gloss", 0, 0, 1024, 0.0f, 0.0f},
+    {"ambient-occlusion", "within half a metre, in 64 looks a pixel", "spots", 0, 0, 0, 0.5f,
+     0.0f},
+    {"sky-light", "of a gradient, diffuse and mirrored", "gloss", 0, 0, 0, 0.0f, 1.0f},
 };
 const int tl_stage_count = sizeof stages / sizeof stages[0];
 
@@ -104,6 +109,16 @@ done:
     return status;
 }
 
+static void paint_sky(tl_light_set *lights)
+{
+    static const float zenith[3] = {0.1f, 0.2f, 0.6f}, level[3] = {0.7f, 0.7f, 0.7f},
+                       ground[3] = {0.2f, 0.15f, 0.1f};
+    lights->sky_type = TL_SKY_GRADIENT;
+    memcpy(lights->zenith, zenith, sizeof zenith);
+    memcpy(lights->sky, level, sizeof level);
+    memcpy(lights->ground, ground, sizeof ground);
+}
+
 tl_status tl_stage_make(int index,
                         uint32_t width,
                         uint32_t height,
@@ -115,6 +130,11 @@ tl_status tl_stage_make(int index,
     tl_status status = TL_OK;
     TRY(tl_effect_frame_make(frame_named(of->frame), width, height, without, err));
     TRY(tl_effect_frame_alike(without, with, err));
+    if (of->sky_light > 0.0f) {
+        paint_sky(&without->lights);
+        paint_sky(&with->lights);
+    }
+    with->lights.sky_light = of->sky_light;
     TRY(cast_shadows(of, without, with, err));
     TRY(give_profiles(of, with, err));
     with->lights.occlusion_radius = of->occlusion_radius;
