@@ -30,7 +30,7 @@ static const kernel_case faults[] = {
      "if (tile / frame.tiles_x + 1 == frame.tiles_y)\n        return;\n    const uint listed"},
     {"sky lit as a surface", "sky", "if (depth < INFINITY)", "if (depth > 0.0f)"},
     {"normal not made unit", "normals", "n / sqrt(length2)", "n"},
-    {"off by one column", "spheres", "(float)column *", "(float)(column + 1) *"},
+    {"off by one column", "spheres", "(float)column)", "(float)(column + 1))"},
     {"lights without a range left out", "mixed", "uint k = 0;", "uint k = frame.global_count;"},
     {"last light of every list left out", "wall", "k < frame.global_count + listed",
      "k + 1 < frame.global_count + listed"},

@@ -243,7 +243,7 @@ json_t *info_gbuffer_json(const info_gbuffer *of)
         const info_values values = measure(g, p);
         json_object_set_new(measured, planes[p].channel, info_values_json(&values));
     }
-    return json_pack("{ss s[ii] si sf ss si so so so so so so so}", "kind", "gbuffer", "size",
+    return json_pack("{ss s[ii] si sf ss si so so so so so so so so}", "kind", "gbuffer", "size",
                      (int)g->camera.width, (int)g->camera.height, "samples", (int)g->samples,
                      "coverage", coverage(g), "layout", tl_layout_word(of->file->layout),
                      "bytes_per_pixel", (int)tl_gbuffer_pixel_size(of->file), "channels",

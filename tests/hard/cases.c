@@ -176,6 +176,20 @@ const hard_case hard_cases[] = {
      "Such pixels become the mean of their neighbours before anything is mixed.", "overte 2297",
      "pixels of a picture with four of them: finite", "seven taps across and down",
      hard_nan_bloom},
+    {35, "half-pixel",
+     "Pixels of another size are looked up at their corners, and the picture moves by a part "
+     "of "
+     "a pixel.",
+     "Both pictures end at the same edges: centres are looked up at centres.",
+     "Pillow 986, libvips 705, godot 39617",
+     "columns of a ruler, made smaller and larger: their own place", "lookups at corners",
+     hard_half_pixel},
+    {36, "bright-tone",
+     "A fraction of squares is infinity over infinity of what is very bright: a lamp has a "
+     "black middle.",
+     "Radiance is cut where every curve is white, and what is no number is black.",
+     "tev 166, OpenColorIO 1273", "values up to the largest float by every curve: shown",
+     "the fraction in float", hard_bright_tone},
     {37, "sun-pixel",
      "A sky's one bright pixel rings: surfaces turned away from it have less than no light.",
      "What nine harmonics have below 0 is 0; the solid angle of each texel is exact.",

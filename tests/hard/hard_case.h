@@ -105,6 +105,8 @@ void hard_edge_neighbours(hard_bench *bench);
 void hard_edge_plane(hard_bench *bench);
 void hard_grey_bloom(hard_bench *bench);
 void hard_nan_bloom(hard_bench *bench);
+void hard_half_pixel(hard_bench *bench);
+void hard_bright_tone(hard_bench *bench);
 void hard_own_shadow(hard_bench *bench);
 void hard_far_shadow(hard_bench *bench);
 void hard_cube_seam(hard_bench *bench);
