@@ -90,7 +90,7 @@ static uint64_t effects_without_lights(void)
 static void count_tile(explained *e, uint64_t used)
 {
     for (int i = 0; i < TL_EFFECT_COUNT; i++)
-        e->use[i].tiles += used >> i & 1u;
+        e->use[i].tiles += (uint32_t)(used >> i & 1u);
 }
 
 tl_status explain_find_use(const job *j,

@@ -223,7 +223,7 @@ static tl_u32 shapes_of(const tl_explanation *e)
     tl_u32 on = 0, taken_out = 0;
     for (size_t i = 0; i < sizeof shapes / sizeof shapes[0]; i++) {
         on |= is_on(e, shapes[i].effect) ? shapes[i].shape : 0;
-        taken_out |= e->without >> shapes[i].effect & 1u;
+        taken_out |= (tl_u32)(e->without >> shapes[i].effect & 1u);
     }
     return on == 0 && taken_out ? TL_SHAPE_BARE : on;
 }
