@@ -4,6 +4,7 @@
  * refused in a sentence that says what there is?
  *
  * The oracle lights the frame once for each object, by the lights that are for it, which are linked to nothing. */
+#include "device.h"
 #include "layered_frames.h"
 
 #include "lighting_state.h"
@@ -211,6 +212,29 @@ static void every_way_has_the_same_bits(void **state)
     release(&f);
 }
 
+/* A device with memory of its own has a band's rows alone, but the bits of all pixels. */
+static void bands_that_are_copied_have_the_same_bits(void **state)
+{
+    tl_device *device = *state;
+    const int shared = device->shares_memory;
+    frame f = take(LAYERS);
+    tl_lighting_options options = options_of(TL_PRECISION_TWIN);
+    tl_image *want = lit(NULL, &options, &f, &f.lights), *got = image_like(f.gbuffer);
+    options.precision = TL_PRECISION_FLOAT;
+    options.path = TL_PATH_CPU;
+    options.vector_width = 16;
+    device->shares_memory = 0;
+    const tl_lighting_counts whole = light_frame(device, &options, f.gbuffer, &f.lights, got);
+    options.memory_limit = whole.device_bytes / (LAYERS + 2);
+    const tl_lighting_counts parts = light_frame(device, &options, f.gbuffer, &f.lights, got);
+    device->shares_memory = shared;
+    assert_true(parts.band_count > 1);
+    assert_same_image(got, want, "copied bands");
+    tl_image_destroy(got);
+    tl_image_destroy(want);
+    release(&f);
+}
+
 static void a_check_follows_links(void **state)
 {
     frame f = take(LAYERS);
@@ -358,6 +382,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_object_has_its_lights),
         cmocka_unit_test(every_way_has_the_same_bits),
+        cmocka_unit_test(bands_that_are_copied_have_the_same_bits),
         cmocka_unit_test(a_check_follows_links),
         cmocka_unit_test(lights_without_links_pay_nothing),
         cmocka_unit_test(ids_and_links_come_back_from_files),

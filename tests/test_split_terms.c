@@ -119,6 +119,15 @@ static void scale_emission(tl_gbuffer *g, float by)
     }
 }
 
+/* Tiles that are sky alone, and blocks of 4 x 4 beside surfaces. */
+static void open_the_sky(tl_gbuffer *g)
+{
+    float *depths = tl_gbuffer_plane(g, TL_DEPTH);
+    for (uint32_t y = 0; y < 24; y++)
+        for (uint32_t x = 0; x < 24; x++)
+            depths[y * g->pitch + x] = INFINITY;
+}
+
 static frame take(const scene *s)
 {
     uint32_t seed = 7;
@@ -126,6 +135,7 @@ static frame take(const scene *s)
     const tl_camera camera = camera_of(WIDTH, HEIGHT, TL_PERSPECTIVE);
     frame f = {.gbuffer = layered_gbuffer(&camera, TL_GROUP_BASE | s->material, s->layers, 3)};
     scale_emission(f.gbuffer, s->emission);
+    open_the_sky(f.gbuffer);
     ASSERT_OK(tl_gbuffer_repair(f.gbuffer, s->name, false, NULL, &err), err);
     if (s->layout != TL_LAYOUT_FLOAT) {
         tl_gbuffer *packed = packed_layers(f.gbuffer, s->layout);
@@ -166,6 +176,10 @@ static tl_image *lit(tl_device *device,
     ASSERT_OK(tl_image_create_parts(camera->width, camera->height, TL_AOVS_IN(options->split),
                                     &image, &err),
               err);
+    for (unsigned plane = 0; plane < TL_PICTURE_PLANES(options->split); plane++)
+        for (size_t at = 0; at < (size_t)camera->height * image->pitch; at++)
+            if (at % image->pitch < camera->width) /* as a picture before may have left it */
+                tl_image_plane(image, plane)[at] = NAN;
     const tl_lighting_counts own = light_frame(device, options, f->gbuffer, &f->lights, image);
     if (counts)
         *counts = own;
