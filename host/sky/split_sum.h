@@ -9,7 +9,7 @@ typedef struct tl_split_sum {
     double lost;          /* of diffuse light, F90 times this does not get below the surface */
 } tl_split_sum;
 
-/* By quadrature in double; off by 1e-5 at most (tests/test_sky_table.c). */
+/* By quadrature in double; off by 3e-4 at most (tests/test_sky_light.c). */
 tl_split_sum tl_split_sum_at(double n_dot_v, double alpha);
 
 /* [TL_SKY_TABLE][TL_SKY_TABLE] rows of roughness, columns of n.v, as kernels/sky_light.h reads them: base,
