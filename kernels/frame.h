@@ -134,8 +134,8 @@ typedef struct tl_view_shape {
 } tl_view_shape;
 TL_STATIC_ASSERT(sizeof(tl_view_shape) == 96, view_shape_is_six_rows);
 
-/* The profile of a light in the buffer of lights, and how it stands in view space: profile.h. Directions are of
- * unit length and at right angles. */
+/* The profile of a light in the buffer of lights, and how it stands in view space: profile.h. Directions are
+ * of unit length and at right angles. */
 typedef struct tl_view_profile {
     float c90[3];
     tl_u32 shares_at; /* row of the buffer: [rows][columns] */
@@ -184,8 +184,8 @@ typedef struct tl_view_surroundings {
 } tl_view_surroundings;
 TL_STATIC_ASSERT(sizeof(tl_view_surroundings) == 48, view_surroundings_is_three_rows);
 
-/* Which pixels lights are kept from that are linked to objects: link.h. Where some are, it is the row of the buffer
- * before their shapes. */
+/* Which pixels lights are kept from that are linked to objects: link.h. Where some are, it is the row of the
+ * buffer before their shapes. */
 typedef struct tl_view_links {
     tl_u32 words_at;    /* row of the buffer: planes of words, one for each 32 links */
     tl_u32 rows;        /* of a plane, which has the frame's pitch */
@@ -203,8 +203,8 @@ typedef struct tl_view_sky {
 } tl_view_sky;
 TL_STATIC_ASSERT(sizeof(tl_view_sky) == 80, view_sky_is_five_rows);
 
-/* The light of the sky on surfaces: sky_light.h. Axes are those of the sky's map, unit, in view space; *_at are
- * rows of the buffer. */
+/* The light of the sky on surfaces: sky_light.h. Axes are those of the sky's map, unit, in view space; *_at
+ * are rows of the buffer. */
 typedef struct tl_view_sky_light {
     float right[3];
     tl_u32 texels_at; /* [count] of R, G, B, 0: all levels, one after another */

@@ -2,8 +2,8 @@
  *
  * Each link of a frame has a bit of the words that stand behind the lights, a word a pixel for each 32 links:
  * set where the pixel's object is not one that the light is for. Objects are told apart by the host
- * (host/frame/links.c), by ids of 32 bits: here nothing is compared and nothing rounds, so every precision has
- * the same selection. A light adds exactly nothing to a pixel that it is kept from. */
+ * (host/frame/links.c), by ids of 32 bits: here nothing is compared and nothing rounds, so every precision
+ * has the same selection. A light adds exactly nothing to a pixel that it is kept from. */
 #ifndef TL_LINK_H
 #define TL_LINK_H
 

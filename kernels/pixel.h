@@ -135,8 +135,8 @@ TL_INLINE vec3 diffuse_color(tl_needs needs, substance m)
     return pick3(lane_has(needs, m.model, TL_LOBE_BELOW), below, m.diffuse);
 }
 
-/* What multiplies light of the sky that is mirrored, of one channel: the specular colour, as the model tints it,
- * without what keeps a lobe's energy, for the share of the whole sky has that. */
+/* What multiplies light of the sky that is mirrored, of one channel: the specular colour, as the model tints
+ * it, without what keeps a lobe's energy, for the share of the whole sky has that. */
 TL_INLINE real
 mirror_color(tl_needs needs, substance m, real specular, real diffuse, real f90, received sum)
 {
@@ -235,14 +235,14 @@ TL_INLINE vec3 ambient_term(const tl_frame *frame, tl_needs needs, pixel of, rec
  *
  * The exact sum of all terms, T, is the picture's radiance P to within rounding. No number is below 0, so a
  * rounding is a share u = 2^-24 of what is rounded. P is rounded where each term after the first joins it,
- * and once more with Fresnel's reflectance: 4 times at most; a term of its own twice at most. So with P cut as
- * it is at the largest float, |P - min(T, largest)| <= 6u T, and 2^-146 for what is below floats' normal range.
- * P is the sum in float bit for bit where nothing has highlights, for then each step is the same.
+ * and once more with Fresnel's reflectance: 4 times at most; a term of its own twice at most. So with P cut
+ * as it is at the largest float, |P - min(T, largest)| <= 6u T, and 2^-146 for what is below floats' normal
+ * range. P is the sum in float bit for bit where nothing has highlights, for then each step is the same.
  *
- * With one colour (needs.h) and n lights on the pixel P has both lobes in one sum. It rounds once for a light's
- * factor, n times for their sum and once for the product with the surface's colour; so do terms apart; and P
- * twice more for what joins it: (2n + 6)u T. A sky's light is two terms more, which are added to each other before
- * they join P: 2u T. tests/test_split_terms.c asserts it on every pixel. */
+ * With one colour (needs.h) and n lights on the pixel P has both lobes in one sum. It rounds once for a
+ * light's factor, n times for their sum and once for the product with the surface's colour; so do terms
+ * apart; and P twice more for what joins it: (2n + 6)u T. A sky's light is two terms more, which are added to
+ * each other before they join P: 2u T. tests/test_split_terms.c asserts it on every pixel. */
 TL_INLINE vec3 surface_term(
     const tl_frame *frame, tl_needs needs, tl_u32 term, pixel of, substance m, received sum)
 {

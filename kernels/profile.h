@@ -1,10 +1,10 @@
 /* Profiles of lights: which share of its largest intensity a light gives in a direction.
  *
  * A grid of shares, 0 to 1, over the angles of photometry of type C (tilelight/photometry.h): columns at even
- * angles C around the nadir, from C0 on, which come round; rows at even angles from the nadir, `first_row` steps
- * from it and on. In between shares are linear along both, as LM-63 has it; beyond the first and the last row
- * there are none. Rows stand at angles, not between them: what a file says of the nadir, the level and the zenith
- * is met exactly, and so is C0 from both sides. */
+ * angles C around the nadir, from C0 on, which come round; rows at even angles from the nadir, `first_row`
+ * steps from it and on. In between shares are linear along both, as LM-63 has it; beyond the first and the
+ * last row there are none. Rows stand at angles, not between them: what a file says of the nadir, the level
+ * and the zenith is met exactly, and so is C0 from both sides. */
 #ifndef TL_PROFILE_H
 #define TL_PROFILE_H
 
@@ -30,10 +30,11 @@ TL_INLINE texel_pair pair_of_turn(real at, scalar count)
     return pair;
 }
 
-/* The share in direction d from the light, of any length. Angles are off as those of map_around are (texture.h):
- * by 2u of a turn and by what d and the profile's directions are off across them; around, the sum with a whole
- * turn adds u of it; down, the difference with the first row u of the rows of half a turn. Then 3u of the
- * largest sample a mixture. What is off by that much at an edge where shares end is in or out. */
+/* The share in direction d from the light, of any length. Angles are off as those of map_around are
+ * (texture.h): by 2u of a turn and by what d and the profile's directions are off across them; around, the
+ * sum with a whole turn adds u of it; down, the difference with the first row u of the rows of half a turn.
+ * Then 3u of the largest sample a mixture. What is off by that much at an edge where shares end is in or
+ * out. */
 TL_INLINE real profile_share(tl_numbers numbers, tl_view_profile p, vec3 d)
 {
     const tl_numbers shares = numbers + (size_t)p.shares_at * 4;

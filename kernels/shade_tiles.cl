@@ -227,8 +227,9 @@ TL_INLINE int load_surfaces(const tl_frame *frame,
     return shows;
 }
 
-/* What a block with surfaces reflects and sends out; its terms are stored. Its words are loaded anew after the lights: with them,
- * their loops would have no registers left. (Where lobes are plain, nothing asks for f.) */
+/* What a block with surfaces reflects and sends out; its terms are stored. Its words are loaded anew after
+ * the lights: with them, their loops would have no registers left. (Where lobes are plain, nothing asks for
+ * f.) */
 TL_INLINE vec3 lit_block(const tl_frame *frame,
                          tl_needs needs,
                          uint words_there,

@@ -1,5 +1,5 @@
-/* Lights with more to them: falloff by a table, a picture that they shine through, an ambient lobe, a profile, a
- * shadow map.
+/* Lights with more to them: falloff by a table, a picture that they shine through, an ambient lobe, a
+ * profile, a shadow map.
  *
  * What few lights have stands apart from the rest, in a tl_view_shape behind the lights, and the light says
  * where by its `falloff`. Such a light is lit by the code here, one after another, and adds up in index order

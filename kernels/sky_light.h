@@ -1,23 +1,24 @@
-/* Light of the sky on surfaces (docs/sky-light.md): what comes to a surface from all around, and what it mirrors.
+/* Light of the sky on surfaces (docs/sky-light.md): what comes to a surface from all around, and what it
+ * mirrors.
  *
- *   diffuse   irradiance over pi, of nine spherical harmonics of the sky: Ramamoorthi and Hanrahan, "An Efficient
- *             Representation for Irradiance Environment Maps", SIGGRAPH 2001, equation 12. With the moments of
- *             the light L that comes from unit directions d, over all solid angle, it is
+ *   diffuse   irradiance over pi, of nine spherical harmonics of the sky: Ramamoorthi and Hanrahan, "An
+ *             Efficient Representation for Irradiance Environment Maps", SIGGRAPH 2001, equation 12. With the
+ *             moments of the light L that comes from unit directions d, over all solid angle, it is
  *
  *                 E(n)/pi = 3/(32 pi) int L + 1/(2 pi) n . int L d + 15/(32 pi) n^T (int L d d^T) n,
  *
- *             a polynomial of ten terms in the normal, in view space. Beyond its third band a clamped cosine has
- *             little; but what it leaves out may leave less than nothing opposite to a small sun. Light is not
- *             below 0, so 0 is nearer to the truth than any number below it, and stands in for it.
+ *             a polynomial of ten terms in the normal, in view space. Beyond its third band a clamped cosine
+ *             has little; but what it leaves out may leave less than nothing opposite to a small sun. Light
+ *             is not below 0, so 0 is nearer to the truth than any number below it, and stands in for it.
  *   mirrored  the sky as a surface of this roughness would show it seen head-on, looked up in the mirrored
- *             direction: Karis, "Real Shading in Unreal Engine 4", SIGGRAPH 2013. Levels of roughness, octahedral
- *             maps (normal_code.h) with a border of one texel, so that no seam shows. Between four texels, and
- *             between two levels.
- *   shares    what of light from everywhere alike the lobe reflects, and what does not get below the surface: a
- *             table by the square root of |n.v| and by roughness, between four of its entries.
+ *             direction: Karis, "Real Shading in Unreal Engine 4", SIGGRAPH 2013. Levels of roughness,
+ *             octahedral maps (normal_code.h) with a border of one texel, so that no seam shows. Between four
+ *             texels, and between two levels.
+ *   shares    what of light from everywhere alike the lobe reflects, and what does not get below the surface:
+ *             a table by the square root of |n.v| and by roughness, between four of its entries.
  *
- * A white surface under a sky of radiance 1 has radiance 1, whatever the model and its units: the sky is radiance,
- * as the picture is. Surfaces without a normal have none of it. */
+ * A white surface under a sky of radiance 1 has radiance 1, whatever the model and its units: the sky is
+ * radiance, as the picture is. Surfaces without a normal have none of it. */
 #ifndef TL_SKY_LIGHT_H
 #define TL_SKY_LIGHT_H
 
@@ -38,8 +39,8 @@ TL_INLINE tl_sky_light_at sky_light_behind(const tl_frame *frame, tl_numbers num
     return (tl_sky_light_at)(numbers + (size_t)frame->sky_light_at * (TL_SECTION_ROW / 4));
 }
 
-/* Of one channel; c: tl_view_sky_light.irradiance. Off by 13u of the sum of its terms' magnitudes: two products
- * each, and ten sums. */
+/* Of one channel; c: tl_view_sky_light.irradiance. Off by 13u of the sum of its terms' magnitudes: two
+ * products each, and ten sums. */
 TL_INLINE real irradiance_of(TL_GLOBAL const float *c, vec3 n)
 {
     real sum = (real)(scalar)c[0];
@@ -146,16 +147,17 @@ TL_INLINE sky_shares sky_shares_of(tl_numbers numbers,
     return shares;
 }
 
-/* The square of the lobe's width; of one that is wide one way and narrow the other, that of a round one as large. */
+/* The square of the lobe's width; of one that is wide one way and narrow the other, that of a round one as
+ * large. */
 TL_INLINE real sky_alpha2(tl_needs needs, substance m)
 {
     return some_lobe_has(needs, TL_LOBE_TANGENT) ? SQRT(m.alpha2 * m.across2) : m.alpha2;
 }
 
-/* The share of mirrored light that arrives where `arrives` of light from everywhere does: all of it or nothing
- * where that is so too, the same where the lobe is wide, and less of it at grazing angles, for what stands around
- * stands at the horizon. After Lagarde and de Rousiers, "Moving Frostbite to PBR", SIGGRAPH 2014, listing 26, in
- * whose place of a power stands a root times how narrow the lobe is. */
+/* The share of mirrored light that arrives where `arrives` of light from everywhere does: all of it or
+ * nothing where that is so too, the same where the lobe is wide, and less of it at grazing angles, for what
+ * stands around stands at the horizon. After Lagarde and de Rousiers, "Moving Frostbite to PBR", SIGGRAPH
+ * 2014, listing 26, in whose place of a power stands a root times how narrow the lobe is. */
 TL_INLINE real mirrored_share(real arrives, real eye, real alpha2)
 {
     const real narrow = R(1.0) - SQRT(alpha2);

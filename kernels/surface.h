@@ -51,8 +51,8 @@ typedef struct received {
     vec3 ambient; /* whatever the normal; of no matter where no light has an ambient lobe */
     vec3
         apart; /* where `diffuse` is of both lobes and terms are split: that of diffuse light alone */
-    /* Of the sky (sky_light.h), of no matter where it lights nothing: diffuse light; what is mirrored; and the
-     * shares of that which the specular colour multiplies, and Fresnel's rest. */
+    /* Of the sky (sky_light.h), of no matter where it lights nothing: diffuse light; what is mirrored; and
+     * the shares of that which the specular colour multiplies, and Fresnel's rest. */
     vec3 sky, mirrored;
     real mirrored_base, mirrored_grazing;
 } received;

@@ -69,8 +69,8 @@ TL_INLINE real curve_aces(real x, scalar per_white2)
 }
 
 /* J. Hable, "Filmic Tonemapping Operators", 2010: A 0.15, B 0.50, C 0.10, D 0.20, E 0.02, F 0.30, exposed
- * twice, white at 11.2. The quotient less E/F is brought to one fraction, x (x A (1 - E/F) + B (C - E/F)) over
- * the same, which has no difference of like numbers near 0; its constants are 0.14 and 1/60. */
+ * twice, white at 11.2. The quotient less E/F is brought to one fraction, x (x A (1 - E/F) + B (C - E/F))
+ * over the same, which has no difference of like numbers near 0; its constants are 0.14 and 1/60. */
 TL_INLINE real hable_quotient(real x)
 {
     return x * (R(0.14) * x + R(0.016666666666666666)) / (x * (R(0.15) * x + R(0.5)) + R(0.06));
@@ -174,8 +174,8 @@ TL_INLINE vec3 tone_agx(vec3 c, scalar per_white2)
     return toned;
 }
 
-/* Khronos, "PBR Neutral Tone Mapper" (2024): less what 4 % of reflection adds, as it is up to 0.76, from there
- * a hyperbola of the largest channel, and towards white. */
+/* Khronos, "PBR Neutral Tone Mapper" (2024): less what 4 % of reflection adds, as it is up to 0.76, from
+ * there a hyperbola of the largest channel, and towards white. */
 TL_INLINE vec3 tone_neutral(vec3 c, scalar per_white2)
 {
     (void)per_white2;

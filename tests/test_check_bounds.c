@@ -31,7 +31,8 @@ static void check_picture(const tl_check *check, const tl_image *got, const char
 }
 
 /* By the twin, which has no kernels to build, and by kernels of this width; 0: not by kernels. That they
- * agree is what tests/test_same_bits.c asks, and that culling shows in nothing, tests/test_culling_exact.c. */
+ * agree is what tests/test_same_bits.c asks, and that culling shows in nothing,
+ * tests/test_culling_exact.c. */
 static void check_frame(tl_device *device,
                         const char *name,
                         const tl_gbuffer *g,

@@ -1,5 +1,5 @@
-/* Do --light, --group and --solo light as lights files do that say the same, wherever the lights are from, and are
- * they refused in a sentence? */
+/* Do --light, --group and --solo light as lights files do that say the same, wherever the lights are from,
+ * and are they refused in a sentence? */
 #define _GNU_SOURCE
 #include "program.h"
 

@@ -1,5 +1,5 @@
-/* Has a region the bits of the same pixels of the whole picture, with all that pixels look around for, and do files
- * say where it lies? */
+/* Has a region the bits of the same pixels of the whole picture, with all that pixels look around for, and do
+ * files say where it lies? */
 #define _GNU_SOURCE
 #include "program.h"
 

@@ -1,5 +1,5 @@
-/* Does a map of the sky from the command line light a scene as the same sky in a lights file does, and is what
- * cannot be told in a sentence? */
+/* Does a map of the sky from the command line light a scene as the same sky in a lights file does, and is
+ * what cannot be told in a sentence? */
 #define _GNU_SOURCE
 #include "program.h"
 

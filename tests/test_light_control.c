@@ -1,5 +1,5 @@
-/* Do controls select the lights that they name, scale each by all that select it, cost nothing where they switch
- * one off, and say what there is where they select none? */
+/* Do controls select the lights that they name, scale each by all that select it, cost nothing where they
+ * switch one off, and say what there is where they select none? */
 #include "file_cases.h"
 
 #include "prepared.h"

@@ -1,9 +1,10 @@
-/* Does a light that is linked to objects light those alone, bit for bit as if it were there for them and not for
- * others, by every path and width, in bands, through layers, and within what `check` allows? By any number of
- * links, and ids that floats would round? Do ids, names and links come back from files, and is what does not fit
- * refused in a sentence that says what there is?
+/* Does a light that is linked to objects light those alone, bit for bit as if it were there for them and not
+ * for others, by every path and width, in bands, through layers, and within what `check` allows? By any
+ * number of links, and ids that floats would round? Do ids, names and links come back from files, and is what
+ * does not fit refused in a sentence that says what there is?
  *
- * The oracle lights the frame once for each object, by the lights that are for it, which are linked to nothing. */
+ * The oracle lights the frame once for each object, by the lights that are for it, which are linked to
+ * nothing. */
 #include "device.h"
 #include "layered_frames.h"
 

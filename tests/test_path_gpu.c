@@ -222,8 +222,8 @@ static void lists_are_the_same(void **state)
         }
 }
 
-/* In float the twin stands for the path for CPUs, whose lists are seen to be the same above: that they agree is
- * what tests/test_same_bits.c asks, and a program of it takes seconds to build. */
+/* In float the twin stands for the path for CPUs, whose lists are seen to be the same above: that they agree
+ * is what tests/test_same_bits.c asks, and a program of it takes seconds to build. */
 static void same_picture(tl_device *device, size_t i, tl_precision precision)
 {
     tl_lighting_options options = tl_lighting_options_default();

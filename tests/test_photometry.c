@@ -1,5 +1,5 @@
-/* Do files of LM-63 say what photometry has of them, in every edition and symmetry, do our own luminaires give the
- * lumens that they claim, and is what is wrong with a file said by line and by what was expected? */
+/* Do files of LM-63 say what photometry has of them, in every edition and symmetry, do our own luminaires
+ * give the lumens that they claim, and is what is wrong with a file said by line and by what was expected? */
 #include "file_cases.h"
 
 #include "tilelight/photometry.h"
@@ -50,7 +50,8 @@ static void editions_differ_by_their_first_line(void **state)
     }
 }
 
-/* Which plane of the file stands for each quarter turn and what is between; candela are the planes' angles. */
+/* Which plane of the file stands for each quarter turn and what is between; candela are the planes'
+ * angles. */
 static void planes_stand_for_the_whole_circle(void **state)
 {
     static const struct {

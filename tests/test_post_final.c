@@ -1,5 +1,6 @@
 /* Is a picture of another size what the filter's formula makes of it, without a shift or a change of what is
- * constant, and are its bits, and the codes of a screen, those of the host on every way through the device? */
+ * constant, and are its bits, and the codes of a screen, those of the host on every way through the
+ * device? */
 #include "post_frames.h"
 
 #include <float.h>
@@ -158,8 +159,9 @@ static void what_is_constant_stays(void **state)
             }
 }
 
-/* A ramp stays on its line away from the edges, where filters are whole: no filter shifts by a part of a pixel.
- * Lanczos's does not keep ramps between pixels: 1 % of a pixel. Box takes the nearest pixel, or two. */
+/* A ramp stays on its line away from the edges, where filters are whole: no filter shifts by a part of a
+ * pixel. Lanczos's does not keep ramps between pixels: 1 % of a pixel. Box takes the nearest pixel, or
+ * two. */
 static void nothing_is_shifted(void **state)
 {
     static const uint32_t widths[] = {24, 48, 96, 61, 150};
@@ -197,8 +199,8 @@ static void nothing_is_shifted(void **state)
         }
 }
 
-/* No light is lost: the mean over the picture stays, of the filter that is a mean of areas; up to 4 roundings of
- * a sum of 20 taps. */
+/* No light is lost: the mean over the picture stays, of the filter that is a mean of areas; up to 4 roundings
+ * of a sum of 20 taps. */
 static void areas_keep_the_mean(void **state)
 {
     (void)state;
@@ -220,7 +222,8 @@ static void areas_keep_the_mean(void **state)
     }
 }
 
-/* Filters that ring go below 0 beside a lamp, others do not; and numbers at the end of floats stay numbers. */
+/* Filters that ring go below 0 beside a lamp, others do not; and numbers at the end of floats stay
+ * numbers. */
 static void what_is_bright_does_no_harm(void **state)
 {
     static const float lamps[] = {1e4f, 1e38f, FLT_MAX};

@@ -154,10 +154,10 @@ static color signal_of_screen(color v, tl_curve curve)
     return v;
 }
 
-/* What codes may be off by before they are rounded: kernels/tone.h for curves of single channels. Of those that
- * mix them, u = 2^-24, times the slope of the signal, 12.92 at most, and 255: Hill's 36u, of 15u of a fraction
- * that two rows spread to 2.3 times; neutral's 4u; AgX in the signal itself: 110u of the polynomial, 1.4 times
- * that behind the outset, and a slope of 2.2. All are below 120000u. */
+/* What codes may be off by before they are rounded: kernels/tone.h for curves of single channels. Of those
+ * that mix them, u = 2^-24, times the slope of the signal, 12.92 at most, and 255: Hill's 36u, of 15u of a
+ * fraction that two rows spread to 2.3 times; neutral's 4u; AgX in the signal itself: 110u of the polynomial,
+ * 1.4 times that behind the outset, and a slope of 2.2. All are below 120000u. */
 static double slack_of(tl_tone tone)
 {
     return tl_look_is_of_channels((tl_look){.tone = tone}) ? 0x1p-10 : 120000.0 * 0x1p-24;
@@ -216,7 +216,8 @@ static void codes_are_as_published(void **state)
     tl_image_destroy(image);
 }
 
-/* Of every float that a picture may hold: the signal is one, from 0 to 1, and black and white end the range. */
+/* Of every float that a picture may hold: the signal is one, from 0 to 1, and black and white end the
+ * range. */
 static void whatever_comes_in_is_shown(void **state)
 {
     static const float values[] = {0.0f,      -0.0f,    1e-45f,  1e-10f, 0.18f,

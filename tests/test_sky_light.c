@@ -1,6 +1,6 @@
-/* Is the light of a sky, as host/sky/ prepares it, that of the integrals it stands for: irradiance within what nine
- * harmonics may leave out, mirrored skies, and shares of the split sum? Also where a map is one bright pixel, or
- * seen at its poles and its seam? */
+/* Is the light of a sky, as host/sky/ prepares it, that of the integrals it stands for: irradiance within
+ * what nine harmonics may leave out, mirrored skies, and shares of the split sum? Also where a map is one
+ * bright pixel, or seen at its poles and its seam? */
 #include "oracle/sky.h"
 #include "sky_map.h"
 #include "sky_prefilter.h"
@@ -170,10 +170,10 @@ static double level_most(const sky *s, unsigned level)
     return most;
 }
 
-/* Texels of a level against the integral. A piece of the sky is within `near` of the width of the weight there, by
- * which its logarithm changes by 4 near at most; of that the first order is gone, for it is taken where its light
- * comes from on average: half of the square, and as much of the sum of weights. Parts of a texel are sharp to a
- * fourth of the sharpest level's. */
+/* Texels of a level against the integral. A piece of the sky is within `near` of the width of the weight
+ * there, by which its logarithm changes by 4 near at most; of that the first order is gone, for it is taken
+ * where its light comes from on average: half of the square, and as much of the sum of weights. Parts of a
+ * texel are sharp to a fourth of the sharpest level's. */
 static void mirrored_skies_are_those_of_their_integral(void **state)
 {
     (void)state;
@@ -234,9 +234,9 @@ static void eye_at(const double n[3], double nv, double turn, double v[3])
         v[i] = nv * n[i] + sqrt(1.0 - nv * nv) * (cos(turn) * a[i] + sin(turn) * b[i]);
 }
 
-/* The split sum, of exact halves, against the lobe's whole integral under daylight: a mirror of F0 1. It is a mean
- * of the sky times a share of it all, so no more apart than what the sky's extremes make of that share. What it is
- * off by on average, of the mean, is the table of docs/sky-light.md. */
+/* The split sum, of exact halves, against the lobe's whole integral under daylight: a mirror of F0 1. It is a
+ * mean of the sky times a share of it all, so no more apart than what the sky's extremes make of that share.
+ * What it is off by on average, of the mean, is the table of docs/sky-light.md. */
 static void the_split_sum_is_within_the_extremes(void **state)
 {
     static const double cosines[] = {1.0, 0.7, 0.4, 0.1};

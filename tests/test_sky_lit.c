@@ -1,5 +1,5 @@
-/* Is a frame that the sky lights the same by every width, path and the twin, within what check allows, and right
- * pixel by pixel against integrals over the map? Do only frames pay for it that ask for it? */
+/* Is a frame that the sky lights the same by every width, path and the twin, within what check allows, and
+ * right pixel by pixel against integrals over the map? Do only frames pay for it that ask for it? */
 #include "frames.h"
 #include "oracle/sky.h"
 #include "prepared.h"
@@ -158,7 +158,8 @@ static void only_askers_pay(void **state)
     tl_gbuffer_destroy(g);
 }
 
-/* A white matt surface under a sky of one colour has that colour, whatever its normal: nothing of it shows. */
+/* A white matt surface under a sky of one colour has that colour, whatever its normal: nothing of it
+ * shows. */
 static void white_is_as_bright_as_the_sky(void **state)
 {
     static const enum tl_shading_model models[] = {TL_MODEL_LAMBERT, TL_MODEL_PHONG,

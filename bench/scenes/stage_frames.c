@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Shadow maps are empty, and profiles alike in all directions: each pixel looks up all that it would, and finds
- * all of the light. */
+/* Shadow maps are empty, and profiles alike in all directions: each pixel looks up all that it would, and
+ * finds all of the light. */
 typedef struct stage_row {
     const char *name, *meaning;
     const char *frame;  /* of the frames of effects */

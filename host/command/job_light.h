@@ -7,8 +7,8 @@
 #include "job.h"
 #include "lighting_options.h"
 
-/* Opens the device that the choice needs, and reads its lights file, and switches its lights: what can be refused before a
- * scene is loaded. *device stays NULL for a precision without one; release with
+/* Opens the device that the choice needs, and reads its lights file, and switches its lights: what can be
+ * refused before a scene is loaded. *device stays NULL for a precision without one; release with
  * tl_device_close. */
 tl_status job_prepare_light(job *j,
                             const lighting_choice *choice,
@@ -22,8 +22,8 @@ tl_status job_default_lights(job *j, tl_error *err);
  * sky_choose does too. */
 tl_status job_choose_lights(job *j, const sky_choice *sky, tl_error *err);
 
-/* Scales lights, and switches them off, that job_prepare_light has not read: those of a frame, or that stand in
- * for them. Fails as tl_light_set_control does. */
+/* Scales lights, and switches them off, that job_prepare_light has not read: those of a frame, or that stand
+ * in for them. Fails as tl_light_set_control does. */
 tl_status job_control_lights(job *j, const lighting_choice *choice, tl_error *err);
 
 /* The radius of ambient occlusion that was chosen, in place of the lights' own. */

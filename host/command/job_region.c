@@ -6,12 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Windows begin at multiples of this, in pixels: patterns that pixels take turns by, and pictures of a half and
- * a quarter of the size, then lie in them as in the whole. */
+/* Windows begin at multiples of this, in pixels: patterns that pixels take turns by, and pictures of a half
+ * and a quarter of the size, then lie in them as in the whole. */
 enum { GRANULE = 64 };
 
-/* Samples that ambient occlusion looks at around its own (kernels/occlusion.h: TL_MOST_OCCLUSION_REACH), those
- * that smoothing takes in, and some more. */
+/* Samples that ambient occlusion looks at around its own (kernels/occlusion.h: TL_MOST_OCCLUSION_REACH),
+ * those that smoothing takes in, and some more. */
 enum { OCCLUSION_HALO = 256 + 8 };
 
 static tl_status check_region(const job *j, const tl_region *region, tl_error *err)

@@ -26,7 +26,7 @@ typedef struct picture_options {
 
 /* Its input is a picture_options, all zero to begin with. At least one output is required. */
 extern const struct argp
-    picture_argp; /* -o, --exposure, --tone, --white, --dither, --curve, --png, --exr, --exr-compression, --output-size, --filter */
+    picture_argp; /* -o, and how pictures are made of what was lit */
 
 /* How PNGs are made: as the options say, else as the capture asks (NULL: asks for nothing), else ours. */
 tl_look picture_look(const picture_options *options, const tl_look *asked);

@@ -17,8 +17,8 @@ typedef struct sky_choice {
 
 sky_choice sky_choice_default(void);
 
-/* Makes it that of the lights. Fails as reading a picture does, with TL_ERR_ARGUMENT where there is no sky that
- * could be brighter, shine or turn, or with TL_ERR_MEMORY. */
+/* Makes it that of the lights. Fails as reading a picture does, with TL_ERR_ARGUMENT where there is no sky
+ * that could be brighter, shine or turn, or with TL_ERR_MEMORY. */
 tl_status sky_choose(const sky_choice *choice, tl_light_set *lights, tl_error *err);
 
 /* Its input is a sky_choice. */

@@ -46,8 +46,8 @@ tl_status tl_exr_writer_begin(tl_exr_writer *writer,
                               exr_compression_t compression,
                               tl_error *err);
 
-/* Of a part of a picture of that size, whose upper left pixel is at (x, y) there: the data window moves there,
- * and the display window is the picture's. Before pixels. */
+/* Of a part of a picture of that size, whose upper left pixel is at (x, y) there: the data window moves
+ * there, and the display window is the picture's. Before pixels. */
 tl_status tl_exr_writer_window(tl_exr_writer *writer,
                                uint32_t x,
                                uint32_t y,

@@ -34,8 +34,8 @@ typedef struct tl_light_field {
 
 enum { TL_LIGHT_FIELD_COUNT = 21 };
 
-/* `type` itself is not among them: it decides which of them apply. Of point lights those alone have a direction
- * that have a profile. */
+/* `type` itself is not among them: it decides which of them apply. Of point lights those alone have a
+ * direction that have a profile. */
 extern const tl_light_field tl_light_fields[TL_LIGHT_FIELD_COUNT];
 
 #define TL_ANY_SKY (-1)

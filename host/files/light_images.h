@@ -16,7 +16,8 @@ tl_status tl_light_image_read(const tl_place *at,
                               uint32_t *out,
                               tl_error *err);
 
-/* `path` as it is opened: relative to a folder of the set's. The caller frees it. NULL where memory ran out. */
+/* `path` as it is opened: relative to a folder of the set's. The caller frees it. NULL where memory ran
+ * out. */
 char *tl_light_path(const char *folder, const char *path);
 
 /* How a file that the set names `named` is named in `file`, which the caller frees. NULL where memory ran

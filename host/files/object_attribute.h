@@ -1,5 +1,5 @@
-/* Which object each pixel shows, inside a G-buffer's file: a channel "id" of every surface, and names of ids as
- * attribute "tilelight:objects", a JSON object of names by ids. */
+/* Which object each pixel shows, inside a G-buffer's file: a channel "id" of every surface, and names of ids
+ * as attribute "tilelight:objects", a JSON object of names by ids. */
 #ifndef TL_OBJECT_ATTRIBUTE_H
 #define TL_OBJECT_ATTRIBUTE_H
 

@@ -31,7 +31,8 @@ typedef struct linking {
     tl_u32 at; /* row of the planes */
 } linking;
 
-/* --- objects --------------------------------------------------------------------------------------------- */
+/* --- objects
+ * --------------------------------------------------------------------------------------------- */
 
 /* Of a name that no object has: what there is. */
 static tl_status no_such_object(const linking *l,
@@ -111,7 +112,8 @@ static tl_status list_ids(linking *l, tl_error *err)
     return TL_OK;
 }
 
-/* --- links ----------------------------------------------------------------------------------------------- */
+/* --- links
+ * ----------------------------------------------------------------------------------------------- */
 
 /* Those of the frame's lights, in the order in which lights come. */
 static tl_status number_links(linking *l, const tl_prepared *prepared, tl_error *err)
@@ -180,7 +182,8 @@ done:
     return status;
 }
 
-/* --- pixels ---------------------------------------------------------------------------------------------- */
+/* --- pixels
+ * ---------------------------------------------------------------------------------------------- */
 
 typedef struct job {
     const linking *l;

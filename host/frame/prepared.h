@@ -52,16 +52,17 @@ typedef struct tl_prepare_options {
     uint32_t shadow_filter; /* tl_lighting_options.shadow_filter; 0: TL_DEFAULT_SHADOW_FILTER */
     uint32_t occlusion_samples; /* tl_lighting_options.occlusion_samples; 0: the default */
     uint32_t split;             /* tl_lighting_options.split */
-    /* [lights of the set]: 1: the light is lit. Of others is taken what kernels are built for. NULL: all are */
+    /* [lights of the set]: 1: the light is lit. Of others is taken what kernels are built for. NULL: all
+     * are */
     const uint8_t *lit;
     uint64_t without; /* effects that are taken out, bits TL_ON(effect): another picture */
     uint32_t layers;  /* of those of the frame, how many are lit, each prepared by itself */
 } tl_prepare_options;
 
 /* Fills *prepared, growing its lights where they do not fit; all zero is a valid start. Lights that add
- * exactly nothing are not among them (explanation.idle_lights), unless all effects are asked for. Names
- * spots that light nothing, materials and ambient occlusion that are for nothing, and lights that cast
- * shadows of which there is no map, in a notice. Fails as tl_brdf_table_make and tl_links_add do, with TL_ERR_ARGUMENT
+ * exactly nothing are not among them (explanation.idle_lights), unless all effects are asked for. Names spots
+ * that light nothing, materials and ambient occlusion that are for nothing, and lights that cast shadows of
+ * which there is no map, in a notice. Fails as tl_brdf_table_make and tl_links_add do, with TL_ERR_ARGUMENT
  * (more than 2^31 lights, or sections that rows do not count) or TL_ERR_MEMORY. */
 tl_status tl_prepare(const tl_gbuffer *gbuffer,
                      const tl_light_set *lights,

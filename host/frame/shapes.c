@@ -139,8 +139,8 @@ static tl_status add_texture(const tl_camera *camera,
     return tl_map_show(lights, light->texture, 1.0, prepared, &shape->map, err);
 }
 
-/* `shared`: of the set's profiles, where their shares are. The nadir is ahead along the light's direction, C0 to
- * its top, as a spot's picture stands. */
+/* `shared`: of the set's profiles, where their shares are. The nadir is ahead along the light's direction, C0
+ * to its top, as a spot's picture stands. */
 static tl_status add_profile(const tl_camera *camera,
                              const tl_light_set *lights,
                              const tl_light *light,

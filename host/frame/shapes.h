@@ -4,20 +4,21 @@
 
 #include "prepared.h"
 
-/* Whether the light has any of it: a falloff table, a texture, a profile, an ambient lobe, a shadow map, a link
- * to objects. */
+/* Whether the light has any of it: a falloff table, a texture, a profile, an ambient lobe, a shadow map, a
+ * link to objects. */
 int tl_light_has_shape(const tl_gbuffer *gbuffer, const tl_light *light);
 
 /* Once all lights of the frame are there: gives those that call for it their shapes, and adds tables,
- * textures, profiles and shadow maps, which are looked up with a filter as wide. Fails as tl_section_add does. */
+ * textures, profiles and shadow maps, which are looked up with a filter as wide. Fails as tl_section_add
+ * does. */
 tl_status tl_shapes_add(const tl_gbuffer *gbuffer,
                         const tl_light_set *lights,
                         uint32_t shadow_filter,
                         tl_prepared *prepared,
                         tl_error *err);
 
-/* Right, up and ahead of the sky's map in world space: upright, its middle towards -z, turned about the vertical
- * by `rotation`, rad. */
+/* Right, up and ahead of the sky's map in world space: upright, its middle towards -z, turned about the
+ * vertical by `rotation`, rad. */
 void tl_sky_axes(double rotation, double axes[3][3]);
 
 /* The sky's section, where it is not of one colour. Fails alike. */

@@ -8,7 +8,8 @@
 /* Bits of tl_choice: of the effects that are on those that tiles can do without. */
 tl_u32 tl_choosable(const tl_needs *needs);
 
-/* Notes what a light calls for that may be lit, for tl_choices_open. has_shape: kernels will have one of it. */
+/* Notes what a light calls for that may be lit, for tl_choices_open. has_shape: kernels will have one of
+ * it. */
 void tl_choices_note(tl_prepared *prepared,
                      const tl_view_light *light,
                      const tl_view_spot *cone,

@@ -4,8 +4,8 @@
 
 #include "prepared.h"
 
-/* Adds the section of a light that has a profile, and unless shared[number - 1] says that it is there, that of
- * the profile's shares, which it then says. *at becomes its row. nadir, c0: world space, unit and at right
+/* Adds the section of a light that has a profile, and unless shared[number - 1] says that it is there, that
+ * of the profile's shares, which it then says. *at becomes its row. nadir, c0: world space, unit and at right
  * angles. Fails as tl_section_add does. */
 tl_status tl_view_profile_add(const tl_camera *camera,
                               const tl_light_set *lights,

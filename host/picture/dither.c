@@ -8,8 +8,8 @@
 
 enum { ORDERED_SIDE = 8 };
 
-/* B. Bayer, "An optimum method for two-level rendition of continuous-tone pictures", 1973: the rank of a pixel
- * has the bits of x ^ y and y by turns, those of the finest step first. */
+/* B. Bayer, "An optimum method for two-level rendition of continuous-tone pictures", 1973: the rank of a
+ * pixel has the bits of x ^ y and y by turns, those of the finest step first. */
 static uint32_t bayer_rank(uint32_t x, uint32_t y)
 {
     uint32_t rank = 0;

@@ -6,8 +6,8 @@
 
 #include <stdint.h>
 
-/* tile: [TL_DITHER_SIDE][TL_DITHER_SIDE], above 0 and below 1; of TL_DITHER_NONE all are `rounding`. The others
- * have as many below any t as t says, to half a rank: their mean is 1/2. */
+/* tile: [TL_DITHER_SIDE][TL_DITHER_SIDE], above 0 and below 1; of TL_DITHER_NONE all are `rounding`. The
+ * others have as many below any t as t says, to half a rank: their mean is 1/2. */
 void tl_dither_fill(enum tl_dither_name dither, double rounding, float *tile);
 
 /* Makes the tile that of a part of a picture, whose upper left pixel is at (x, y) there. */

@@ -1,10 +1,10 @@
 /* From radiance to 8 bits: exposure, tone curve, curve of the codes, rounding; the formulas are those of
  * kernels/tone.h, in double.
  *
- * Where a tone takes each channel by itself all four are monotone, so the whole way is 255 thresholds: the least radiance that comes out as
- * 1, as 2, ... as 255. They are found once per picture, by bisecting over floats with the formulas
- * in double; a pixel then only counts the thresholds it reaches. That is exact, in the sense that
- * every float gets the 8-bit value that the formulas in double are rounded to, and no curve is
+ * Where a tone takes each channel by itself all four are monotone, so the whole way is 255 thresholds: the
+ * least radiance that comes out as 1, as 2, ... as 255. They are found once per picture, by bisecting over
+ * floats with the formulas in double; a pixel then only counts the thresholds it reaches. That is exact, in
+ * the sense that every float gets the 8-bit value that the formulas in double are rounded to, and no curve is
  * evaluated per pixel. Other looks are computed pixel by pixel, by the twin of the kernel (show_rows.c). */
 #include "dither.h"
 #include "parallel.h"

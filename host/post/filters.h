@@ -17,11 +17,11 @@ typedef struct tl_taps {
     float *numbers;
 } tl_taps;
 
-/* From `from` pixels to `to`, 1 to TL_MAX_EXTENT each: both axes end at the same two edges, so that the centre
- * of pixel i is seen at (i + 1/2) from/to. The filter is widened to a pixel of the coarser axis. Weights of
- * what would lie beyond the edges are left out and the rest add up to 1, rounded from double. Pixels seen
- * from either end have the same weights, bit for bit. *out is to be cleared whatever happened. Fails with
- * TL_ERR_MEMORY. */
+/* From `from` pixels to `to`, 1 to TL_MAX_EXTENT each: both axes end at the same two edges, so that the
+ * centre of pixel i is seen at (i + 1/2) from/to. The filter is widened to a pixel of the coarser axis.
+ * Weights of what would lie beyond the edges are left out and the rest add up to 1, rounded from double.
+ * Pixels seen from either end have the same weights, bit for bit. *out is to be cleared whatever happened.
+ * Fails with TL_ERR_MEMORY. */
 tl_status tl_taps_make(
     tl_filter filter, uint32_t from, uint32_t to, tl_taps *out, tl_error *err);
 

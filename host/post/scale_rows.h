@@ -1,4 +1,5 @@
-/* Pictures of another size in C: what the text of the kernels, compiled once per arithmetic, is called with. */
+/* Pictures of another size in C: what the text of the kernels, compiled once per arithmetic, is called
+ * with. */
 #ifndef TL_SCALE_ROWS_H
 #define TL_SCALE_ROWS_H
 

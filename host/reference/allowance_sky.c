@@ -1,8 +1,8 @@
-/* The sky's light is looked up by directions that are off as normal and eye are. Between texels a level is linear
- * along each axis, so where the place moves by less than a texel, what is looked up moves by no more than the
- * steepest of the nine cells around it allows; between levels it is linear in the roughness, by no more than two
- * neighbouring ones differ. Rounding comes on top, in proportion to the largest number that is touched. u and the
- * manner are those of allowance.c. */
+/* The sky's light is looked up by directions that are off as normal and eye are. Between texels a level is
+ * linear along each axis, so where the place moves by less than a texel, what is looked up moves by no more
+ * than the steepest of the nine cells around it allows; between levels it is linear in the roughness, by no
+ * more than two neighbouring ones differ. Rounding comes on top, in proportion to the largest number that is
+ * touched. u and the manner are those of allowance.c. */
 #include "allowance_sky.h"
 
 #include "sections.h"
@@ -102,8 +102,8 @@ static interval any_of(const tl_prepared *prepared, int c)
     return (interval){0.0, most * (1.0 + 20.0 * U)};
 }
 
-/* Of one level: the place is off by `moved` of the direction, which octahedron_of turns into (1 + sqrt(3)) of it
- * and 10u, and the product with the level's size and its sum, 2u of that. */
+/* Of one level: the place is off by `moved` of the direction, which octahedron_of turns into (1 + sqrt(3)) of
+ * it and 10u, and the product with the level's size and its sum, 2u of that. */
 static interval on_level(const level *of, vec2 e, double moved, int c)
 {
     const double size = (double)of->size;
@@ -166,8 +166,8 @@ static double entry(const float *table, double x, double y, int c)
     return above * (1.0 - fy) + below * fy;
 }
 
-/* Ends of an interval of places in the table, and a whole one between them, where there is one: they are narrower
- * than that, but at the edge of a surface, where all between is looked at. */
+/* Ends of an interval of places in the table, and a whole one between them, where there is one: they are
+ * narrower than that, but at the edge of a surface, where all between is looked at. */
 static interval share_over(const tl_prepared *prepared, interval x, interval y, int c)
 {
     const float *table = tl_section_at(prepared, sky_of(prepared)->table_at);

@@ -14,8 +14,8 @@ typedef struct light_choice {
     uint32_t count;
 } light_choice;
 
-/* What the surface of pixel `at` receives of these lights. Those that reach the pixel are among them; what others
- * add is exactly nothing. */
+/* What the surface of pixel `at` receives of these lights. Those that reach the pixel are among them; what
+ * others add is exactly nothing. */
 TL_INLINE received received_of(const tl_prepared *prepared,
                                light_choice lights,
                                pixel in,

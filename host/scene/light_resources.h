@@ -14,8 +14,8 @@ tl_status tl_light_refuse(const tl_light *light,
 
 void tl_light_resources_clear(tl_light_set *set);
 
-/* Whether light `index` has the table, the picture and the profile that its type and its falloff call for, and no
- * other. Fails with TL_ERR_FORMAT, as tl_light_set_check. */
+/* Whether light `index` has the table, the picture and the profile that its type and its falloff call for,
+ * and no other. Fails with TL_ERR_FORMAT, as tl_light_set_check. */
 tl_status tl_light_resources_check(const tl_light_set *set,
                                    size_t index,
                                    const char *source,

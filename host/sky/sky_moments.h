@@ -4,7 +4,8 @@
 
 #include "sky_source.h"
 
-/* Of one channel, with d the unit direction (right, up, ahead) that light L comes from, over all solid angle. */
+/* Of one channel, with d the unit direction (right, up, ahead) that light L comes from, over all solid
+ * angle. */
 typedef struct tl_sky_moments {
     double light;        /* of L */
     double first[3];     /* of L d */
@@ -12,8 +13,8 @@ typedef struct tl_sky_moments {
     double power;        /* of L^2 */
 } tl_sky_moments;
 
-/* The integrals over every texel in closed form; rows on all threads, added up in their order, so that bits do
- * not depend on threads. Fails with TL_ERR_MEMORY. */
+/* The integrals over every texel in closed form; rows on all threads, added up in their order, so that bits
+ * do not depend on threads. Fails with TL_ERR_MEMORY. */
 tl_status tl_sky_moments_of(const tl_sky_source *source, tl_sky_moments out[3], tl_error *err);
 
 /* What nine spherical harmonics may leave out of the irradiance over pi in any direction; derived in

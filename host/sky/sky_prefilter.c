@@ -81,7 +81,8 @@ static int counts_as_a_whole(const tl_sky_tile *t, const tl_sky_node *node)
     return node->radius * node->radius <= t->near * t->near * (apart2 + 4.0 * t->alpha2);
 }
 
-/* Whether all of it is below the horizon of every texel, where K is 0: a cosine of 0 is a chord of sqrt(2). */
+/* Whether all of it is below the horizon of every texel, where K is 0: a cosine of 0 is a chord of
+ * sqrt(2). */
 static int is_below(const tl_sky_tile *t, const tl_sky_node *node)
 {
     return sqrt(chord2(t->middle, node->toward)) - t->radius - node->radius >

@@ -1,6 +1,7 @@
 /* The sky of a light set as a map of the whole of space, as light comes from it: texels of equal steps of
- * longitude and latitude, each of one radiance all over. Its axes are right, up and ahead, as kernels/texture.h
- * has them: longitude 0 is ahead, in the middle of a row, and grows to the right; the first row is at the top. */
+ * longitude and latitude, each of one radiance all over. Its axes are right, up and ahead, as
+ * kernels/texture.h has them: longitude 0 is ahead, in the middle of a row, and grows to the right; the first
+ * row is at the top. */
 #ifndef TL_SKY_SOURCE_H
 #define TL_SKY_SOURCE_H
 

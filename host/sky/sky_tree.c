@@ -40,7 +40,7 @@ static uint32_t cell_along(double e, uint32_t cells)
     return at < (double)(cells - 1) ? (uint32_t)at : cells - 1;
 }
 
-/* Light that comes from a direction, added to its cell; toward is a sum of it for now, weighed by light and a
+/* Light that comes from a direction, added to its cell; `toward` is summed here, weighed by light and a
  * little by solid angle, so that what is black has a direction too. */
 static void deposit(tl_sky_node *leaves,
                     uint32_t cells,
@@ -74,8 +74,8 @@ static void finish(tl_sky_node *node)
     }
 }
 
-/* What is added to a texel's light as weight: a thousandth of the brightest row's mean would hide nothing, and
- * it is never 0 where there is light at all. */
+/* What is added to a texel's light as weight: a thousandth of the brightest row's mean would hide nothing,
+ * and it is never 0 where there is light at all. */
 static double weight_floor(const tl_sky_source *source)
 {
     double sum = 0.0;

@@ -1,5 +1,6 @@
-/* What of light that comes from everywhere alike a metal-rough surface reflects: the second half of Karis's split
- * sum ("Real Shading in Unreal Engine 4", SIGGRAPH 2013), for the lobes of kernels/lobe_metal_rough.h. */
+/* What of light that comes from everywhere alike a metal-rough surface reflects: the second half of Karis's
+ * split sum ("Real Shading in Unreal Engine 4", SIGGRAPH 2013), for the lobes of
+ * kernels/lobe_metal_rough.h. */
 #ifndef TL_SPLIT_SUM_H
 #define TL_SPLIT_SUM_H
 

@@ -1,5 +1,5 @@
-/* IES files: does any text do more than be refused? What is taken is as bright as its peak in no direction more,
- * and its grid is as far from it as it says. */
+/* IES files: does any text do more than be refused? What is taken is as bright as its peak in no direction
+ * more, and its grid is as far from it as it says. */
 #include "fuzz.h"
 
 #include "tilelight/photometry.h"

@@ -141,8 +141,8 @@ void hard_profile_seam(hard_bench *bench)
     light_surfaces(bench, &of, (const float[]){0.0f, -1.0f, 0.0f});
 }
 
-/* Narrow beams: shares that fall from 1 to 0 within a degree of the axis, in rows of a tenth. Directions exactly
- * along the axis, against it, and around both. */
+/* Narrow beams: shares that fall from 1 to 0 within a degree of the axis, in rows of a tenth. Directions
+ * exactly along the axis, against it, and around both. */
 void hard_profile_axis(hard_bench *bench)
 {
     static const double off[] = {0.0, 1e-6, 1e-5, 1e-4, 3e-4, 1e-3, 2e-3};

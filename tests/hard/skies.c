@@ -1,4 +1,5 @@
-/* Skies that light: one pixel that is a million times brighter than the rest, and directions where maps end. */
+/* Skies that light: one pixel that is a million times brighter than the rest, and directions where maps
+ * end. */
 #include "hard_case.h"
 
 #include "prepared.h"
@@ -59,8 +60,8 @@ static double as_it_stands(const float c[12], vec3 n)
            (double)c[7] * x * y + (double)c[8] * y * z + (double)c[9] * z * x;
 }
 
-/* Normals all around: none has less than no light, each that of the pixel to within 3/32 of its light over pi, and
- * on average all of them have a fourth of it, and no more than 3.1 % beyond. */
+/* Normals all around: none has less than no light, each that of the pixel to within 3/32 of its light over
+ * pi, and on average all of them have a fourth of it, and no more than 3.1 % beyond. */
 void hard_sun_pixel(hard_bench *bench)
 {
     tl_light_set set = sky_of(sun);
@@ -119,8 +120,8 @@ static vec2 place_of(const double d[3])
     return octahedron_of((vec3){(float)d[0], (float)d[2], (float)d[1]});
 }
 
-/* Directions on both sides of where an octahedral map has its edges, and of the seam and the poles of a map of
- * latitude and longitude: what they mirror is the same, to within what the sky changes by. */
+/* Directions on both sides of where an octahedral map has its edges, and of the seam and the poles of a map
+ * of latitude and longitude: what they mirror is the same, to within what the sky changes by. */
 static void count_across(hard_bench *bench,
                          tl_numbers numbers,
                          const tl_view_sky_light *sky,

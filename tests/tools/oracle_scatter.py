@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The first lights that test_scatter.c expects, from the definition in host/scene/scatter.c:
+"""The first lights that test_scatter.c expects, from the definition in host/gbuffer/scatter.c:
 SplitMix64, the pixel's ray, the lift, the hue. Exact rationals, rounded once at the end."""
 from fractions import Fraction as F
 

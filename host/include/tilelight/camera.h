@@ -27,8 +27,8 @@ typedef struct tl_camera {
         far; /* m; 0 < near < far, far may be INFINITY. Orthographic: near may be <= 0 */
     /* view = view_from_world * (x, y, z, 1): a rotation and a translation in m, row-major. */
     float view_from_world[3][4];
-    /* Of a part of a picture (tl_gbuffer_cut): where in it its upper left pixel is, and the size of the picture,
-     * whose edges those above are. All 0: it is the whole picture. */
+    /* Of a part of a picture (tl_gbuffer_cut): where in it its upper left pixel is, and the size of the
+     * picture, whose edges those above are. All 0: it is the whole picture. */
     uint32_t window_x, window_y, whole_width, whole_height;
 } tl_camera;
 

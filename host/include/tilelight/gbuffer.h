@@ -84,8 +84,8 @@ typedef struct tl_gbuffer {
     tl_material_names materials; /* none where nobody named them */
     tl_shadow_maps shadows; /* of lights that were to cast shadows; owned; a layer has none */
     tl_layers layers; /* of surfaces that blend, before this one; owned; a layer has none */
-    /* [rows][pitch], owned, aligned as the planes: which object each pixel shows, 0: none that is told. NULL where
-     * nobody asked. Of layers too */
+    /* [rows][pitch], owned, aligned as the planes: which object each pixel shows, 0: none that is told. NULL
+     * where nobody asked. Of layers too */
     uint32_t *ids;
     tl_objects objects; /* names of ids; a layer has none */
     /* Of a layer: whose it is, and [rows][pitch], owned, aligned as the planes: 0 where nothing is, to 1.
@@ -148,8 +148,8 @@ typedef struct tl_region {
 } tl_region;
 
 /* *gbuffer becomes that part of it, not empty and within it, with its shadow maps; what is known of the whole
- * is taken to be so of the part. Pixels of it are lit as they are in the whole, bit for bit, but where ambient
- * occlusion would look beyond. Its camera says where it lies; no file is written of it. Fails with
+ * is taken to be so of the part. Pixels of it are lit as they are in the whole, bit for bit, but where
+ * ambient occlusion would look beyond. Its camera says where it lies; no file is written of it. Fails with
  * TL_ERR_MEMORY, and leaves it alone. */
 tl_status tl_gbuffer_cut(tl_gbuffer **gbuffer, const tl_region *window, tl_error *err);
 

@@ -20,7 +20,8 @@ typedef struct tl_image {
     float
         *planes; /* [1 + part_count][3][rows][pitch], aligned to 4096 bytes; linear Rec. 709 */
     uint32_t part_count;
-    /* Of a part of a picture: where in it its upper left pixel is, and its size, px. All 0: it is the whole. */
+    /* Of a part of a picture: where in it its upper left pixel is, and its size, px. All 0: it is the
+     * whole. */
     uint32_t x, y, whole_width, whole_height;
 } tl_image;
 
@@ -70,7 +71,8 @@ typedef struct tl_look {
     float white; /* TL_LEAST_WHITE to TL_MOST_WHITE; 0: TL_DEFAULT_WHITE */
 } tl_look;
 
-/* Whether its codes rise with each channel, whatever the others are: its tone takes each channel by itself. */
+/* Whether its codes rise with each channel, whatever the others are: its tone takes each channel by
+ * itself. */
 int tl_look_is_of_channels(tl_look look);
 
 /* Whether codes follow from 255 thresholds of radiance, exactly: such a tone, without dither. */

@@ -183,13 +183,13 @@ void tl_lighting_destroy(tl_lighting *lighting);
 
 /* Lights one frame, of any layout, that tl_gbuffer_repair has been through: its surfaces, then its layers
  * over them, from the farthest to the nearest. *image has the G-buffer's size, and a part for each term of
- * options.split, and is written in full. A
- * user's kernel is given full float: for it a packed frame is unpacked first, anew for every frame. Compiles
- * kernels where the scene needs ones it has not needed before; allocates only where a frame is larger, or has
- * more lights, than every one before. A frame that does not fit memory_limit is lit in bands of tile rows,
- * with the same bits. timings, notices, counts may be NULL. Fails with TL_ERR_ARGUMENT (sizes or parts differ; one row
- * of tiles is beyond memory_limit), TL_ERR_FORMAT (a row of materials leads nowhere, an index has none; a
- * user's kernel does not compile), TL_ERR_DEVICE or TL_ERR_MEMORY. */
+ * options.split, and is written in full. A user's kernel is given full float: for it a packed frame is
+ * unpacked first, anew for every frame. Compiles kernels where the scene needs ones it has not needed before;
+ * allocates only where a frame is larger, or has more lights, than every one before. A frame that does not
+ * fit memory_limit is lit in bands of tile rows, with the same bits. timings, notices, counts may be NULL.
+ * Fails with TL_ERR_ARGUMENT (sizes or parts differ; one row of tiles is beyond memory_limit), TL_ERR_FORMAT
+ * (a row of materials leads nowhere, an index has none; a user's kernel does not compile), TL_ERR_DEVICE or
+ * TL_ERR_MEMORY. */
 tl_status tl_lighting_run(tl_lighting *lighting,
                           const tl_gbuffer *gbuffer,
                           const tl_light_set *lights,

@@ -61,9 +61,10 @@ typedef struct tl_light_image {
 #define TL_MOST_IMAGE_EXTENT 8192u      /* px, each way */
 #define TL_MOST_IMAGE_PIXELS (1u << 25) /* 8192 x 4096: half a GiB as kernels have it */
 
-/* How much of its largest intensity a light gives by direction, from an IES file (tilelight/photometry.h): read
- * once, however many lights name it. Shares stand on an even grid of angles: columns around from C0, which come
- * round, one where all are alike; rows from the nadir, which begin at row first_row of rows_of_half_turn. */
+/* How much of its largest intensity a light gives by direction, from an IES file (tilelight/photometry.h):
+ * read once, however many lights name it. Shares stand on an even grid of angles: columns around from C0,
+ * which come round, one where all are alike; rows from the nadir, which begin at row first_row of
+ * rows_of_half_turn. */
 typedef struct tl_light_profile {
     char *path; /* as files name it; owned by the set */
     uint32_t columns, rows, first_row, rows_of_half_turn;
@@ -160,8 +161,8 @@ typedef enum tl_sky {
         TL_SKY_COUNT
 } tl_sky;
 
-/* lights, materials, tables, images and profiles are owned by the set; release with tl_light_set_clear. All zero is a
- * valid empty set. */
+/* lights, materials, tables, images and profiles are owned by the set; release with tl_light_set_clear. All
+ * zero is a valid empty set. */
 typedef struct tl_light_set {
     float ambient[3]; /* linear Rec. 709; multiplies albedo and occlusion */
     /* m, 0 to TL_FARTHEST: what surfaces within that keep from a pixel of ambient light; 0: nothing */
@@ -212,8 +213,8 @@ tl_status tl_light_set_add_material(tl_light_set *set,
 tl_status tl_light_set_add_table(
     tl_light_set *set, const float *values, uint32_t count, uint32_t *out, tl_error *err);
 
-/* Appends a copy of a link, unless the set has one like it; *out becomes what tl_light.link is to be. Fails with
- * TL_ERR_MEMORY. */
+/* Appends a copy of a link, unless the set has one like it; *out becomes what tl_light.link is to be. Fails
+ * with TL_ERR_MEMORY. */
 tl_status tl_light_set_add_link(tl_light_set *set,
                                 const tl_light_link *link,
                                 uint32_t *out,
@@ -229,15 +230,16 @@ tl_status tl_light_set_add_image(tl_light_set *set,
                                  uint32_t *out,
                                  tl_error *err);
 
-/* Appends a profile with a copy of `path`; *out becomes what tl_light.profile is to be. Takes its shares, from
- * malloc, also where it fails, with TL_ERR_MEMORY. */
+/* Appends a profile with a copy of `path`; *out becomes what tl_light.profile is to be. Takes its shares,
+ * from malloc, also where it fails, with TL_ERR_MEMORY. */
 tl_status tl_light_set_add_profile(tl_light_set *set,
                                    const char *path,
                                    const tl_light_profile *profile,
                                    uint32_t *out,
                                    tl_error *err);
 
-/* cd or lx, along the light's brightest direction: its intensity, and with a profile what that makes of it. */
+/* cd or lx, along the light's brightest direction: its intensity, and with a profile what that makes of
+ * it. */
 double tl_light_candela(const tl_light_set *set, const tl_light *light);
 
 /* Whether it shows something where nothing was hit. */
@@ -258,12 +260,12 @@ tl_status tl_light_set_check(const tl_light_set *set, const char *source, tl_err
  * light: what makes a scene without lights visible. Fails with TL_ERR_MEMORY. */
 tl_status tl_light_set_add_rig(tl_light_set *set, const tl_camera *camera, tl_error *err);
 
-/* Lights files: JSON, described in docs/file-formats.md. `path` may be "-" for standard input. An
- * unknown field, a value of the wrong type, NaN or infinity fails with TL_ERR_FORMAT, a feature
- * that this version lacks with TL_ERR_UNSUPPORTED, each naming the light and the field; else
- * TL_ERR_READ or TL_ERR_MEMORY. Pictures and profiles that lights and sky name are read with it, relative to the
- * folder of the file: of `path`, or of `file`, NULL for the working directory. *set is replaced on success
- * and left alone on failure. */
+/* Lights files: JSON, described in docs/file-formats.md. `path` may be "-" for standard input. An unknown
+ * field, a value of the wrong type, NaN or infinity fails with TL_ERR_FORMAT, a feature that this version
+ * lacks with TL_ERR_UNSUPPORTED, each naming the light and the field; else TL_ERR_READ or TL_ERR_MEMORY.
+ * Pictures and profiles that lights and sky name are read with it, relative to the folder of the file: of
+ * `path`, or of `file`, NULL for the working directory. *set is replaced on success and left alone on
+ * failure. */
 tl_status tl_lights_read(const char *path, tl_light_set *set, tl_error *err);
 tl_status tl_lights_parse(const char *text,
                           size_t size,
@@ -272,9 +274,9 @@ tl_status tl_lights_parse(const char *text,
                           tl_light_set *set,
                           tl_error *err);
 
-/* Makes the picture in `path`, relative to the working directory, the sky of the set, in place of what it has: a
- * map with intensity 1, not turned, whose light is left as it is. Where it is written, its path is absolute. Fails
- * with the status of what is wrong with it, in a sentence that names it, or TL_ERR_MEMORY. */
+/* Makes the picture in `path`, relative to the working directory, the sky of the set, in place of what it
+ * has: a map with intensity 1, not turned, whose light is left as it is. Where it is written, its path is
+ * absolute. Fails with the status of what is wrong with it, in a sentence that names it, or TL_ERR_MEMORY. */
 tl_status tl_light_set_read_sky(tl_light_set *set, const char *path, tl_error *err);
 
 /* The same set as text that tl_lights_parse reads back bit for bit. Files are named as they are in the

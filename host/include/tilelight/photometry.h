@@ -63,9 +63,9 @@ typedef struct tl_photometry {
 #define TL_MOST_PHOTOMETRY_ANGLES 2048       /* each way */
 #define TL_IES_TEXT_LIMIT ((size_t)16 << 20) /* bytes of a file */
 
-/* A file of LM-63-1986, 1991, 1995, 2002 or 2019, of type C. Fails with TL_ERR_FORMAT, in a sentence that names
- * `source`, the line and what was expected there; with TL_ERR_UNSUPPORTED for photometry of types A and B, and
- * for a tilt that stands in another file; with TL_ERR_MEMORY. *out is replaced on success. */
+/* A file of LM-63-1986, 1991, 1995, 2002 or 2019, of type C. Fails with TL_ERR_FORMAT, in a sentence that
+ * names `source`, the line and what was expected there; with TL_ERR_UNSUPPORTED for photometry of types A and
+ * B, and for a tilt that stands in another file; with TL_ERR_MEMORY. *out is replaced on success. */
 tl_status tl_photometry_parse(
     const char *text, size_t size, const char *source, tl_photometry *out, tl_error *err);
 

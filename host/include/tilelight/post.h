@@ -76,9 +76,9 @@ typedef struct tl_bloom_options {
 double tl_least_bloom_width(uint32_t side);
 double tl_most_bloom_width(uint32_t side);
 
-/* What a picture of another size is made by: a weight by the distance from the middle of a pixel, in pixels of
- * the coarser of both pictures. Those that ring go below 0 beside what is much brighter.
- * X(name, word on the command line, where it ends, px, whether it rings, source) */
+/* What a picture of another size is made by: a weight by the distance from the middle of a pixel, in pixels
+ * of the coarser of both pictures. Those that ring go below 0 beside what is much brighter. X(name, word on
+ * the command line, where it ends, px, whether it rings, source) */
 #define TL_FILTERS(X)                                                                   \
     X(TL_FILTER_MITCHELL, "mitchell", 2, 1, "Mitchell and Netravali 1988, B = C = 1/3") \
     X(TL_FILTER_BOX, "box", 0.5, 0, "the mean of the area that a pixel covers")         \
@@ -140,7 +140,8 @@ tl_status tl_post_create(tl_device *device,
 /* Accepts NULL. */
 void tl_post_destroy(tl_post *post);
 
-/* How many pixels of the G-buffer around one are read for it, at most, by all stages that a picture of it has. */
+/* How many pixels of the G-buffer around one are read for it, at most, by all stages that a picture of it
+ * has. */
 uint32_t tl_post_halo(const tl_post *post, const tl_gbuffer *gbuffer);
 
 /* Runs the stages over *image, the picture of the G-buffer with its layers blended; *image becomes what they
@@ -159,8 +160,8 @@ tl_status tl_post_run(tl_post *post,
                       tl_error *err);
 
 /* What tl_image_to_rgb8 gives of the picture, bit for bit, computed on the device where the precision is
- * TL_PRECISION_FLOAT and floats hold the exposure (within 100 stops), in bands within the memory limit, of a row at
- * least. rgb: [height][width][3]. timings, device_ms (from profiling events) may be NULL. Fails with
+ * TL_PRECISION_FLOAT and floats hold the exposure (within 100 stops), in bands within the memory limit, of a
+ * row at least. rgb: [height][width][3]. timings, device_ms (from profiling events) may be NULL. Fails with
  * TL_ERR_DEVICE or TL_ERR_MEMORY. */
 tl_status tl_post_codes(tl_post *post,
                         const tl_image *image,

@@ -48,15 +48,16 @@ typedef struct tl_capture_options {
     bool without_layers;
 } tl_capture_options;
 
-/* Loads `path` (.gltf, .glb), renders its default scene into a G-buffer, and collects its lights. The
- * caller releases *out with tl_gbuffer_destroy and *lights with tl_light_set_clear; *lights is replaced.
- * timings, notices may be NULL. Pixels have been through no repair. Where the layout has no place for
- * metallic and roughness they become a Phong material (kernels/material.h); what else it has no place for
- * is named in a notice. Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED (an extension the file
- * requires; a layout whose convention of depth this camera has not; more than TL_MAX_MATERIALS with
- * `materials`; more than 2^24 triangles that blend; ids in a layout whose targets are all that OpenGL has), TL_ERR_ARGUMENT (size, samples, layers, camera,
- * anisotropy, time, animation, variant; shadow maps beyond shadow_memory at their smallest), TL_ERR_MEMORY or
- * TL_ERR_DEVICE (OpenGL), naming the file and the node, mesh, accessor, image or extension concerned. */
+/* Loads `path` (.gltf, .glb), renders its default scene into a G-buffer, and collects its lights. The caller
+ * releases *out with tl_gbuffer_destroy and *lights with tl_light_set_clear; *lights is replaced. timings,
+ * notices may be NULL. Pixels have been through no repair. Where the layout has no place for metallic and
+ * roughness they become a Phong material (kernels/material.h); what else it has no place for is named in a
+ * notice. Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED (an extension the file requires; a layout
+ * whose convention of depth this camera has not; more than TL_MAX_MATERIALS with `materials`; more than 2^24
+ * triangles that blend; ids in a layout whose targets are all that OpenGL has), TL_ERR_ARGUMENT (size,
+ * samples, layers, camera, anisotropy, time, animation, variant; shadow maps beyond shadow_memory at their
+ * smallest), TL_ERR_MEMORY or TL_ERR_DEVICE (OpenGL), naming the file and the node, mesh, accessor, image or
+ * extension concerned. */
 tl_status tl_capture(const char *path,
                      const tl_capture_options *options,
                      tl_gbuffer **out,
