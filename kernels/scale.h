@@ -3,7 +3,8 @@
  *
  * The sum is taken of differences from the pixel with the largest weight, c + sum of w (x - c), so that where
  * all are alike the result is that value bit for bit, whatever rounding made of the weights. With n taps it
- * is off by (n + 3) u of sum |w| |x - c|, and u of itself, in each direction, u = 2^-24; tests/test_post_final.c.
+ * is off by (n + 3) u of sum |w| |x - c|, and u of itself, in each direction, u = 2^-24;
+ * tests/test_post_final.c.
  *
  * Radiance beyond 2^126 counts as that, so that no sum leaves the range of float: weights of filters that
  * ring add up to less than 2 without their signs. A pixel reads the rows between its first tap and its last,

@@ -8,6 +8,7 @@
  * evaluated per pixel. Other looks are computed pixel by pixel, by the twin of the kernel (show_rows.c). */
 #include "dither.h"
 #include "parallel.h"
+#include "twins.h"
 #include "show.h"
 #include "srgb.h"
 #include "tilelight/camera.h"
@@ -167,19 +168,7 @@ static void encode_rows(void *context, size_t begin, size_t end)
     }
 }
 
-extern tl_show_rows_twin tl_show_portable;
-#ifdef TL_HAS_FMA_TWINS
-extern tl_show_rows_twin tl_show_fma;
-#endif
-
-static tl_show_rows_twin *show_twin(void)
-{
-#ifdef TL_HAS_FMA_TWINS
-    if (__builtin_cpu_supports("fma"))
-        return tl_show_fma;
-#endif
-    return tl_show_portable;
-}
+TL_DECLARE_TWIN(tl_show_rows_twin, tl_show);
 
 int tl_look_has_thresholds(tl_look look)
 {
@@ -220,7 +209,7 @@ static void show_image(const tl_image *image, float exposure, tl_look look, uint
         image->pitch,
         image->width,
         rgb};
-    tl_parallel(image->height, ROWS_PER_SUM, show_twin(), &job);
+    tl_parallel(image->height, ROWS_PER_SUM, TL_TWIN_OF(tl_show), &job);
 }
 
 static void encode_image(const tl_image *image, float exposure, tl_look look, uint8_t *rgb)

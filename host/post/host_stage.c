@@ -3,20 +3,15 @@
 
 #include "lighting_state.h"
 #include "parallel.h"
+#include "twins.h"
 
-extern tl_post_rows_twin tl_post_float_portable, tl_post_double_portable;
-#ifdef TL_HAS_FMA_TWINS
-extern tl_post_rows_twin tl_post_float_fma, tl_post_double_fma;
-#endif
+TL_DECLARE_TWIN(tl_post_rows_twin, tl_post_float);
+TL_DECLARE_TWIN(tl_post_rows_twin, tl_post_double);
 
 static tl_post_rows_twin *twin_for(tl_precision precision)
 {
-    const int is_double = precision == TL_PRECISION_REFERENCE;
-#ifdef TL_HAS_FMA_TWINS
-    if (__builtin_cpu_supports("fma"))
-        return is_double ? tl_post_double_fma : tl_post_float_fma;
-#endif
-    return is_double ? tl_post_double_portable : tl_post_float_portable;
+    return precision == TL_PRECISION_REFERENCE ? TL_TWIN_OF(tl_post_double)
+                                               : TL_TWIN_OF(tl_post_float);
 }
 
 typedef struct rows_of_step {

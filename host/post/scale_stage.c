@@ -7,6 +7,7 @@
 #include "lighting_state.h"
 #include "parallel.h"
 #include "try.h"
+#include "twins.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -72,19 +73,13 @@ static tl_view_scale view_of(const tl_post_work *work,
                            .column_table = (tl_u32)tl_taps_size(&s->rows)};
 }
 
-extern tl_scale_rows_twin tl_scale_float_portable, tl_scale_double_portable;
-#ifdef TL_HAS_FMA_TWINS
-extern tl_scale_rows_twin tl_scale_float_fma, tl_scale_double_fma;
-#endif
+TL_DECLARE_TWIN(tl_scale_rows_twin, tl_scale_float);
+TL_DECLARE_TWIN(tl_scale_rows_twin, tl_scale_double);
 
 static tl_scale_rows_twin *twin_for(tl_precision precision)
 {
-    const int is_double = precision == TL_PRECISION_REFERENCE;
-#ifdef TL_HAS_FMA_TWINS
-    if (__builtin_cpu_supports("fma"))
-        return is_double ? tl_scale_double_fma : tl_scale_float_fma;
-#endif
-    return is_double ? tl_scale_double_portable : tl_scale_float_portable;
+    return precision == TL_PRECISION_REFERENCE ? TL_TWIN_OF(tl_scale_double)
+                                               : TL_TWIN_OF(tl_scale_float);
 }
 
 static tl_status run_on_host(tl_post_work *work, const scaling *s, tl_error *err)

@@ -3,34 +3,20 @@
 #include "parallel.h"
 #include "surround.h"
 #include "twin.h"
+#include "twins.h"
 
-#define DECLARE_TWINS(name, word) extern tl_twin_rows tl_twin_##word##_portable;
-TL_ARITHMETICS(DECLARE_TWINS)
-#undef DECLARE_TWINS
-
-#ifdef TL_HAS_FMA_TWINS
-#    define DECLARE_TWINS(name, word) extern tl_twin_rows tl_twin_##word##_fma;
-TL_ARITHMETICS(DECLARE_TWINS)
-#    undef DECLARE_TWINS
-#endif
+#define DECLARE(name, word) TL_DECLARE_TWIN(tl_twin_rows, tl_twin_##word);
+TL_ARITHMETICS(DECLARE)
+#undef DECLARE
 
 static tl_twin_rows *twin_for(tl_arithmetic arithmetic)
 {
-    static tl_twin_rows *const portable[] = {
-#define PORTABLE_TWIN(name, word) [name] = tl_twin_##word##_portable,
-        TL_ARITHMETICS(PORTABLE_TWIN)
-#undef PORTABLE_TWIN
+    tl_twin_rows *const twins[] = {
+#define TWIN(name, word) [name] = TL_TWIN_OF(tl_twin_##word),
+        TL_ARITHMETICS(TWIN)
+#undef TWIN
     };
-#ifdef TL_HAS_FMA_TWINS
-    static tl_twin_rows *const with_fma[] = {
-#    define FMA_TWIN(name, word) [name] = tl_twin_##word##_fma,
-        TL_ARITHMETICS(FMA_TWIN)
-#    undef FMA_TWIN
-    };
-    if (__builtin_cpu_supports("fma"))
-        return with_fma[arithmetic];
-#endif
-    return portable[arithmetic];
+    return twins[arithmetic];
 }
 
 typedef struct job {

@@ -1,20 +1,9 @@
 #include "rims.h"
 
 #include "parallel.h"
+#include "twins.h"
 
-extern tl_rim_row tl_rim_row_portable;
-#ifdef TL_HAS_FMA_TWINS
-extern tl_rim_row tl_rim_row_fma;
-#endif
-
-static tl_rim_row *rim_row(void)
-{
-#ifdef TL_HAS_FMA_TWINS
-    if (__builtin_cpu_supports("fma"))
-        return tl_rim_row_fma;
-#endif
-    return tl_rim_row_portable;
-}
+TL_DECLARE_TWIN(tl_rim_row, tl_rim_row);
 
 typedef struct job {
     const tl_prepared *prepared;
@@ -40,7 +29,7 @@ void tl_rims_find(const tl_prepared *prepared,
 {
     const tl_camera *camera = &gbuffer->camera;
     job j = {.prepared = prepared,
-             .row = rim_row(),
+             .row = TL_TWIN_OF(tl_rim_row),
              .planes = tl_word_planes_of(gbuffer),
              .width = camera->width,
              .height = camera->height,

@@ -1,22 +1,11 @@
 #include "some_pixels.h"
 
 #include "parallel.h"
+#include "twins.h"
 
 #include <stdlib.h>
 
-extern tl_some_twin tl_some_twin_portable;
-#ifdef TL_HAS_FMA_TWINS
-extern tl_some_twin tl_some_twin_fma;
-#endif
-
-static tl_some_twin *some_twin(void)
-{
-#ifdef TL_HAS_FMA_TWINS
-    if (__builtin_cpu_supports("fma"))
-        return tl_some_twin_fma;
-#endif
-    return tl_some_twin_portable;
-}
+TL_DECLARE_TWIN(tl_some_twin, tl_some_twin);
 
 typedef struct job {
     const tl_prepared *prepared;
@@ -47,6 +36,6 @@ void tl_reference_some(const tl_prepared *prepared,
                        float (*radiance)[3])
 {
     enum { GROUPS_A_THREAD_TAKES = 16 };
-    job j = {prepared, pixels, some_twin(), tl_word_planes_of(gbuffer), radiance};
+    job j = {prepared, pixels, TL_TWIN_OF(tl_some_twin), tl_word_planes_of(gbuffer), radiance};
     tl_parallel(pixels->count, GROUPS_A_THREAD_TAKES, light_groups, &j);
 }

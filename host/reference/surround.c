@@ -2,31 +2,22 @@
 
 #include "occlusion.h"
 #include "parallel.h"
+#include "twins.h"
 
-#define DECLARE_TWINS(set)                                                     \
-    extern tl_surround_rows tl_surround_float_##set, tl_surround_double_##set, \
-        tl_surround_reference_##set;
-#define TWINS(set)                                                                             \
-    {                                                                                          \
-        [TL_TWIN_FLOAT] = tl_surround_float_##set, [TL_TWIN_CHOSEN] = tl_surround_float_##set, \
-        [TL_TWIN_DOUBLE] = tl_surround_double_##set,                                           \
-        [TL_TWIN_REFERENCE] = tl_surround_reference_##set,                                     \
-    }
-DECLARE_TWINS(portable)
-#ifdef TL_HAS_FMA_TWINS
-DECLARE_TWINS(fma)
-#endif
+TL_DECLARE_TWIN(tl_surround_rows, tl_surround_float);
+TL_DECLARE_TWIN(tl_surround_rows, tl_surround_double);
+TL_DECLARE_TWIN(tl_surround_rows, tl_surround_reference);
 
 /* No knob of kernels/knobs.h changes them. */
 static tl_surround_rows *twin_for(tl_arithmetic arithmetic)
 {
-    static tl_surround_rows *const portable[TL_ARITHMETIC_COUNT] = TWINS(portable);
-#ifdef TL_HAS_FMA_TWINS
-    static tl_surround_rows *const with_fma[TL_ARITHMETIC_COUNT] = TWINS(fma);
-    if (__builtin_cpu_supports("fma"))
-        return with_fma[arithmetic];
-#endif
-    return portable[arithmetic];
+    tl_surround_rows *const twins[TL_ARITHMETIC_COUNT] = {
+        [TL_TWIN_FLOAT] = TL_TWIN_OF(tl_surround_float),
+        [TL_TWIN_CHOSEN] = TL_TWIN_OF(tl_surround_float),
+        [TL_TWIN_DOUBLE] = TL_TWIN_OF(tl_surround_double),
+        [TL_TWIN_REFERENCE] = TL_TWIN_OF(tl_surround_reference),
+    };
+    return twins[arithmetic];
 }
 
 typedef struct job {

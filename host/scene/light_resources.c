@@ -38,6 +38,23 @@ static tl_status grow(void **array, size_t count, size_t size, tl_error *err)
     return TL_OK;
 }
 
+/* Room for one more that has a path, and a copy of that, which the caller frees. */
+static tl_status grow_named(
+    void **array, size_t count, size_t size, const char *path, char **copy, tl_error *err)
+{
+    const size_t length = strlen(path) + 1;
+    char *const made = malloc(length);
+    const tl_status status = made ? grow(array, count, size, err)
+                                  : tl_fail(err, TL_ERR_MEMORY, "out of memory for a path");
+    if (status != TL_OK) {
+        free(made);
+        return status;
+    }
+    memcpy(made, path, length);
+    *copy = made;
+    return TL_OK;
+}
+
 tl_status tl_light_set_add_table(
     tl_light_set *set, const float *values, uint32_t count, uint32_t *out, tl_error *err)
 {
@@ -63,17 +80,13 @@ tl_status tl_light_set_add_image(tl_light_set *set,
                                  uint32_t *out,
                                  tl_error *err)
 {
-    const size_t length = strlen(path) + 1;
-    char *const copy = malloc(length);
-    tl_status status = copy ? TL_OK : tl_fail(err, TL_ERR_MEMORY, "out of memory for a path");
-    if (status == TL_OK)
-        status = grow((void **)&set->images, set->image_count, sizeof *set->images, err);
+    char *copy = NULL;
+    const tl_status status = grow_named((void **)&set->images, set->image_count,
+                                        sizeof *set->images, path, &copy, err);
     if (status != TL_OK) {
-        free(copy);
         free(pixels);
         return status;
     }
-    memcpy(copy, path, length);
     set->images[set->image_count++] =
         (tl_light_image){.path = copy, .width = width, .height = height, .pixels = pixels};
     *out = (uint32_t)set->image_count;
@@ -86,17 +99,13 @@ tl_status tl_light_set_add_profile(tl_light_set *set,
                                    uint32_t *out,
                                    tl_error *err)
 {
-    const size_t length = strlen(path) + 1;
-    char *const copy = malloc(length);
-    tl_status status = copy ? TL_OK : tl_fail(err, TL_ERR_MEMORY, "out of memory for a path");
-    if (status == TL_OK)
-        status = grow((void **)&set->profiles, set->profile_count, sizeof *set->profiles, err);
+    char *copy = NULL;
+    const tl_status status = grow_named((void **)&set->profiles, set->profile_count,
+                                        sizeof *set->profiles, path, &copy, err);
     if (status != TL_OK) {
-        free(copy);
         free(profile->shares);
         return status;
     }
-    memcpy(copy, path, length);
     set->profiles[set->profile_count] = *profile;
     set->profiles[set->profile_count++].path = copy;
     *out = (uint32_t)set->profile_count;
