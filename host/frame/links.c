@@ -31,8 +31,19 @@ typedef struct linking {
     tl_u32 at; /* row of the planes */
 } linking;
 
-/* --- objects
- * --------------------------------------------------------------------------------------------- */
+/* --- objects ---------------------------------------------------------------------------------------- */
+
+/* What messages call a light: by its name, or where it stands in the set. */
+static void call_light(const tl_light_set *lights,
+                       const tl_light *light,
+                       char *text,
+                       size_t size)
+{
+    if (light->name[0])
+        snprintf(text, size, "light \"%s\"", light->name);
+    else
+        snprintf(text, size, "lights[%zu]", (size_t)(light - lights->lights));
+}
 
 /* Of a name that no object has: what there is. */
 static tl_status no_such_object(const linking *l,
@@ -55,12 +66,14 @@ static tl_status no_such_object(const linking *l,
                                  i ? ", " : "", l->objects->of[i].name, l->objects->of[i].id);
     }
     const char *meant = tl_suggest(typed, words, word_count);
-    return tl_fail(
-        err, TL_ERR_FORMAT,
-        "light \"%s\" is linked to \"%s\", and the capture has no such object%s%s%s; it "
-        "has %s%s",
-        light->name, typed, meant ? ": did you mean \"" : "", meant ? meant : "",
-        meant ? "\"?" : "", count ? list : "none with a name", count > SHOWN ? ", ..." : "");
+    char called[96];
+    call_light(l->lights, light, called, sizeof called);
+    return tl_fail(err, TL_ERR_FORMAT,
+                   "%s is linked to \"%s\", and the capture has no such object%s%s%s; it "
+                   "has %s%s",
+                   called, typed, meant ? ": did you mean \"" : "", meant ? meant : "",
+                   meant ? "\"?" : "", count ? list : "none with a name",
+                   count > SHOWN ? ", ..." : "");
 }
 
 static int is_called(const tl_object *object, const char *name, int is_exact)
@@ -112,8 +125,7 @@ static tl_status list_ids(linking *l, tl_error *err)
     return TL_OK;
 }
 
-/* --- links
- * ----------------------------------------------------------------------------------------------- */
+/* --- links ------------------------------------------------------------------------------------------ */
 
 /* Those of the frame's lights, in the order in which lights come. */
 static tl_status number_links(linking *l, const tl_prepared *prepared, tl_error *err)
@@ -182,8 +194,7 @@ done:
     return status;
 }
 
-/* --- pixels
- * ---------------------------------------------------------------------------------------------- */
+/* --- pixels ----------------------------------------------------------------------------------------- */
 
 typedef struct job {
     const linking *l;
@@ -249,15 +260,16 @@ tl_status tl_links_add(const tl_gbuffer *gbuffer,
     const tl_light *first = first_linked(lights, prepared);
     linking l = {
         .gbuffer = gbuffer, .objects = &tl_gbuffer_owner(gbuffer)->objects, .lights = lights};
+    char called[96];
     tl_status status = TL_OK;
     if (!first)
         return TL_OK;
+    call_light(lights, first, called, sizeof called);
     if (!gbuffer->ids)
-        TRY(tl_fail(
-            err, TL_ERR_FORMAT,
-            "light \"%s\" is linked to objects, and the capture does not tell any apart: "
-            "capture the scene with --ids, or with these lights",
-            first->name));
+        TRY(tl_fail(err, TL_ERR_FORMAT,
+                    "%s is linked to objects, and the capture does not tell any apart: "
+                    "capture the scene with --ids, or with these lights",
+                    called));
     TRY(number_links(&l, prepared, err));
     TRY(list_ids(&l, err));
     TRY(fill_words(&l, prepared, err));
