@@ -4,6 +4,7 @@
 #include "try.h"
 
 #include <ctype.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -78,7 +79,9 @@ typedef struct collector {
 static tl_status collect(collector *to, long frame, tl_error *err)
 {
     if (to->all.count == 2 * (size_t)TL_MOST_FRAMES)
-        return tl_fail(err, TL_ERR_ARGUMENT, "more than %u frames in one set", TL_MOST_FRAMES);
+        return tl_fail(err, TL_ERR_ARGUMENT,
+                       "more than %u frames in one set, those that come again among them",
+                       2 * TL_MOST_FRAMES);
     if (to->all.count == to->capacity) {
         const size_t capacity = to->capacity ? 2 * to->capacity : 256;
         int32_t *grown = realloc(to->all.of, capacity * sizeof *grown);
@@ -92,7 +95,8 @@ static tl_status collect(collector *to, long frame, tl_error *err)
 }
 
 /* Those that are a multiple of the step away from the first, or the others. */
-static tl_status collect_run(collector *to, const item *of, long step, int others, tl_error *err)
+static tl_status collect_run(
+    collector *to, const item *of, long step, int others, tl_error *err)
 {
     const long towards = of->last < of->first ? -1 : 1, extent = labs(of->last - of->first);
     tl_status status = TL_OK;
@@ -102,15 +106,39 @@ static tl_status collect_run(collector *to, const item *of, long step, int other
     return status;
 }
 
+/* Steps that grow smaller, each with what those before left. Steps beyond the end have the first alone. */
+static tl_status collect_stagger(collector *to, const item *of, tl_error *err)
+{
+    const long towards = of->last < of->first ? -1 : 1, extent = labs(of->last - of->first);
+    tl_status status = TL_OK;
+    unsigned char *seen = calloc((size_t)extent + 1, 1);
+    if (!seen)
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for a set of frames");
+    for (long step = of->step > extent ? extent + 1 : of->step; step >= 1; step--)
+        for (long i = 0; i <= extent && status == TL_OK; i += step)
+            if (!seen[i]) {
+                seen[i] = 1;
+                status = collect(to, of->first + towards * i, err);
+            }
+    free(seen);
+    return status;
+}
+
+static long count_of(const item *of)
+{
+    const long extent = labs(of->last - of->first);
+    const long multiples = extent / of->step + 1;
+    return of->kind == 'x' ? multiples : extent + 1 - (of->kind == 'y' ? multiples : 0);
+}
+
 static tl_status collect_item(collector *to, const item *of, tl_error *err)
 {
-    tl_status status = TL_OK;
+    if (count_of(of) > (long)TL_MOST_FRAMES)
+        return tl_fail(err, TL_ERR_ARGUMENT, "%ld frames: %u at most in one set", count_of(of),
+                       TL_MOST_FRAMES);
     if (of->kind == ':')
-        for (long step = of->step; step >= 1 && status == TL_OK; step--)
-            status = collect_run(to, of, step, 0, err);
-    else
-        status = collect_run(to, of, of->step, of->kind == 'y', err);
-    return status;
+        return collect_stagger(to, of, err);
+    return collect_run(to, of, of->step, of->kind == 'y', err);
 }
 
 /* A frame and which it was of those that came. */
@@ -133,9 +161,19 @@ static int by_place(const void *a, const void *b)
     return left->place < right->place ? -1 : left->place > right->place;
 }
 
+static bool is_ascending(const tl_frames *frames)
+{
+    for (size_t i = 1; i < frames->count; i++)
+        if (frames->of[i - 1] >= frames->of[i])
+            return false;
+    return true;
+}
+
 /* Leaves the first of each, in their order. */
 static tl_status keep_first(tl_frames *frames, tl_error *err)
 {
+    if (is_ascending(frames))
+        return TL_OK;
     arrival *all = malloc((frames->count + 1) * sizeof *all);
     size_t kept = 0;
     if (!all)

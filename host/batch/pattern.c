@@ -1,7 +1,6 @@
 #define _POSIX_C_SOURCE 200809L
 #include "pattern.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,16 +13,16 @@ static size_t run_of_sign(const char *at)
     return *at == '#' ? strspn(at, "#") : strspn(at, "@");
 }
 
-/* Of printf's "%d" with a width that has zeros in front; 0 where it is none. */
+/* Of printf's "%d", or one with a width that has zeros in front; 0 where it is none. */
 static size_t run_of_format(const char *at, unsigned long *digits)
 {
-    const char *end = at + 1;
-    *digits = 1;
     if (*at != '%')
         return 0;
-    if (*end == '0' && isdigit((unsigned char)end[1]))
-        *digits = strtoul(end, (char **)&end, 10);
-    return *end == 'd' ? (size_t)(end + 1 - at) : 0;
+    const size_t width = at[1] == '0' ? strspn(at + 1, "0123456789") : 0;
+    *digits = width > 0 ? strtoul(at + 1, NULL, 10) : 0;
+    if (*digits == 0)
+        *digits = 1;
+    return at[1 + width] == 'd' ? width + 2 : 0;
 }
 
 tl_status tl_pattern_read(const char *text, tl_pattern *out, tl_error *err)
@@ -52,6 +51,11 @@ tl_status tl_pattern_read(const char *text, tl_pattern *out, tl_error *err)
     return TL_OK;
 }
 
+bool tl_pattern_has_name(const tl_pattern *pattern)
+{
+    return strstr(pattern->text, name_field) != NULL;
+}
+
 /* Text as it is, but for what stands for a name. */
 static void put_text(FILE *to, const char *text, size_t length, const char *name)
 {
@@ -77,7 +81,8 @@ tl_status tl_pattern_fill(
     put_text(to, pattern->text, pattern->before, name);
     if (pattern->digits)
         fprintf(to, "%0*d", (int)pattern->digits, (int)frame);
-    put_text(to, pattern->text + pattern->behind, strlen(pattern->text + pattern->behind), name);
+    put_text(to, pattern->text + pattern->behind, strlen(pattern->text + pattern->behind),
+             name);
     if (fclose(to) != 0 || !made) {
         free(made);
         return tl_fail(err, TL_ERR_MEMORY, "out of memory for a name");
