@@ -1,0 +1,58 @@
+#include "farm_shell.h"
+
+#include <string.h>
+
+static const char plain[] =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";
+
+/* POSIX.1-2017, Shell Command Language, 2.2.2: in single quotes every character is itself, but they cannot
+ * hold a single quote. An apostrophe is so many quotes: one ends, one is escaped, one begins. */
+void tl_shell_word(FILE *out, const char *word)
+{
+    if (word[0] && word[strspn(word, plain)] == '\0') {
+        fputs(word, out);
+        return;
+    }
+    fputc('\'', out);
+    for (; *word; word++) {
+        if (*word == '\'')
+            fputs("'\\''", out);
+        else
+            fputc(*word, out);
+    }
+    fputc('\'', out);
+}
+
+void tl_farm_print_worker(FILE *out, const tl_farm_plan *plan)
+{
+    fputs("light() {\n    cd -- ", out);
+    tl_shell_word(out, plan->folder);
+    fputs(" &&\n        ", out);
+    tl_shell_word(out, plan->program);
+    fputs(" batch \"$1\"", out);
+    for (size_t i = 0; i < plan->argument_count; i++) {
+        fputc(' ', out);
+        tl_shell_word(out, plan->arguments[i]);
+    }
+    fputs("\n}\n", out);
+}
+
+void tl_farm_size(const tl_farm_plan *plan, char text[48])
+{
+    snprintf(text, 48, "%zu frame%s in %zu chunk%s", plan->frame_count,
+             plan->frame_count == 1 ? "" : "s", plan->chunk_count,
+             plan->chunk_count == 1 ? "" : "s");
+}
+
+void tl_farm_print_advice(FILE *out, const char *mark)
+{
+    static const char *const lines[] = {
+        "To take it up again after whatever happened, do the same once more: pictures that are "
+        "there",
+        "and up to date are passed over, and no frame is lit by two workers at once.",
+        "Workers need the folder under this name, the program (its lighting half is enough: a "
+        "build",
+        "with -DTILELIGHT_RASTER=OFF) and an OpenCL device."};
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++)
+        fprintf(out, "%s%s\n", mark, lines[i]);
+}
