@@ -1,5 +1,5 @@
-/* Do scripts and templates for schedulers, run, start each chunk's worker in its folder with exactly the words
- * that were meant, whatever is in them? */
+/* Do scripts and templates for schedulers, run, start each chunk's worker in its folder with exactly the
+ * words that were meant, whatever is in them? */
 #define _POSIX_C_SOURCE 200809L
 #include "farm_schedulers.h"
 
@@ -69,7 +69,8 @@ static void make_plan(odd_plan *odd, const char *frames, size_t chunk)
     odd->plan = (tl_farm_plan){.folder = odd->folder,
                                .program = odd->program,
                                .arguments = words,
-                               .argument_count = COUNT_OF(words)};
+                               .argument_count = COUNT_OF(words),
+                               .chunk_at = COUNT_OF(words) - 2};
     ASSERT_OK(tl_frames_parse(frames, &set, &err), err);
     ASSERT_OK(tl_farm_cut_frames(&odd->plan, &set, chunk, &err), err);
     tl_frames_clear(&set);
@@ -92,11 +93,14 @@ static size_t want_notes(char *notes, const tl_farm_plan *plan, const char *cons
         const char *chunk = i < plan->chunk_count ? plan->chunks[i] : plan->gather;
         end = stpcpy(end, plan->folder) + 1;
         end = stpcpy(end, "batch") + 1;
-        end = stpcpy(end, chunk) + 1;
         for (size_t j = 0; more && more[j]; j++)
             end = stpcpy(end, more[j]) + 1;
-        for (size_t j = 0; j < plan->argument_count; j++)
-            end = stpcpy(end, plan->arguments[j]) + 1;
+        for (size_t j = 0; j <= plan->argument_count; j++) {
+            if (j == plan->chunk_at)
+                end = stpcpy(end, chunk) + 1;
+            if (j < plan->argument_count)
+                end = stpcpy(end, plan->arguments[j]) + 1;
+        }
     }
     return (size_t)(end - notes);
 }
@@ -222,7 +226,7 @@ static void what_a_template_cannot_hold_is_refused(void **state)
     ASSERT_OK(tl_farm_cut_shards(&odd.plan, 7, 2, &err), err);
     assert_string_equal(odd.plan.chunks[3], "--shard=4/4");
     assert_string_equal(odd.plan.gather, "--shard=1/1");
-    odd.plan.argument_count = 1;
+    odd.plan.argument_count = odd.plan.chunk_at = 1;
     const char *const *const refused[] = {lines, latin, next, too_long};
     static const char *const said[] = {"control", "UTF-8", "control", "1024"};
     for (size_t i = 0; i < COUNT_OF(refused); i++) {

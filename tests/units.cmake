@@ -11,6 +11,7 @@ add_test(NAME faults_apply
          COMMAND ${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/tests/faults/plant.py --check)
 set_tests_properties(faults_apply PROPERTIES LABELS unit)
 
+tl_test(test_farm_needs unit tl_batch)
 tl_test(test_farm_schedulers unit tl_batch)
 tl_test(test_tone unit tl_picture)
 tl_test(test_show unit tl_picture)

@@ -22,7 +22,7 @@ typedef struct template
 {
     const tl_farm_plan *plan;
     json_t *parameters; /* definitions of job parameters */
-    json_t *words;      /* arguments of the worker, but for the chunk */
+    json_t *words;      /* arguments of batch, but for the chunk */
     bool lost;          /* memory ran out */
 }
 template;
@@ -128,15 +128,25 @@ done:
     return status;
 }
 
+/* Arguments of batch, the chunk among them. */
+static json_t *batch_words(template *t, const char *chunk)
+{
+    json_t *words = json_copy(t->words);
+    if (json_array_insert_new(words, t->plan->chunk_at, json_string(chunk)) != 0)
+        t->lost = true;
+    return words;
+}
+
 /* Tasks run in a folder of their session: the shell goes to ours first. */
 static json_t *script_of(template *t, const char *chunk)
 {
-    json_t *words =
-        json_pack("[s, s, s, s, s, s, s, s, s]", "-c", "cd -- \"$1\" && shift && exec \"$@\"",
-                  "tilelight", "{{Param.Folder}}", "{{Param.Program}}", "batch", chunk,
-                  "--progress", "openjd");
-    if (!words || json_array_extend(words, t->words) != 0)
+    json_t *words = json_pack(
+        "[s, s, s, s, s, s, s, s]", "-c", "cd -- \"$1\" && shift && exec \"$@\"", "tilelight",
+        "{{Param.Folder}}", "{{Param.Program}}", "batch", "--progress", "openjd");
+    json_t *more = batch_words(t, chunk);
+    if (json_array_extend(words, more) != 0)
         t->lost = true;
+    json_decref(more);
     json_t *run = json_pack("{s:s, s:o}", "command", "sh", "args", words);
     if (t->plan->needs.seconds > 0 &&
         json_object_set_new(run, "timeout", json_integer((json_int_t)t->plan->needs.seconds)) !=
@@ -190,8 +200,6 @@ static json_t *gather_step(template *t)
     return step;
 }
 
-/* A step of tasks that failed holds up what depends on it (3.2): the gather comes once they were tried
- * again, or by itself. */
 static char *description_of(const tl_farm_plan *plan)
 {
     char *text = NULL;
@@ -201,7 +209,11 @@ static char *description_of(const tl_farm_plan *plan)
     if (!out)
         return NULL;
     tl_farm_size(plan, counts);
-    fprintf(out, "%s, and a gather that does what is missing.\n", counts);
+    fprintf(
+        out,
+        "%s, and a gather that does what is missing. It starts once every worker has succeeded "
+        "(3.2 of the specification): where one cannot, start it by hand.\n",
+        counts);
     tl_farm_print_advice(out, "");
     if (fclose(out) == 0)
         return text;

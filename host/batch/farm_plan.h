@@ -20,8 +20,8 @@ typedef struct tl_farm_needs {
 typedef struct tl_farm_plan {
     const char *folder;  /* absolute: relative names are in it, and workers run there */
     const char *program; /* that workers run */
-    const char *const *arguments; /* [argument_count] of batch, behind the chunk; borrowed */
-    size_t argument_count;
+    const char *const *arguments;    /* [argument_count] of batch; borrowed */
+    size_t argument_count, chunk_at; /* before which of them the chunk goes */
     size_t frame_count;
     char **chunks; /* [chunk_count] */
     size_t chunk_count;

@@ -29,10 +29,14 @@ void tl_farm_print_worker(FILE *out, const tl_farm_plan *plan)
     tl_shell_word(out, plan->folder);
     fputs(" &&\n        ", out);
     tl_shell_word(out, plan->program);
-    fputs(" batch \"$1\"", out);
-    for (size_t i = 0; i < plan->argument_count; i++) {
-        fputc(' ', out);
-        tl_shell_word(out, plan->arguments[i]);
+    fputs(" batch", out);
+    for (size_t i = 0; i <= plan->argument_count; i++) {
+        if (i == plan->chunk_at)
+            fputs(" \"$1\"", out);
+        if (i < plan->argument_count) {
+            fputc(' ', out);
+            tl_shell_word(out, plan->arguments[i]);
+        }
     }
     fputs("\n}\n", out);
 }
