@@ -1,7 +1,7 @@
 /* Does the device read every layout to the same bits as the host?
  *
- * A program a layout, with its row as a constant, as shading has it; every number of every pixel of
- * hard frames is compared, in vectors and in single lanes, perspective and orthographic. */
+ * A kernel a layout, with its row and planes as constants, as shading has them; every number of every pixel
+ * of hard frames is compared, in vectors and in single lanes, perspective and orthographic. */
 #include "layout_frames.h"
 
 #include "packing.h"
@@ -9,21 +9,20 @@
 
 enum { READ_COUNT = 19 };
 
-/* Planes of the frame. Global size: blocks across, blocks down. Writes [READ_COUNT][rows][pitch]. */
+/* Usage: PROBE(number); what each kernel does with a layout. Planes of the frame. Global size:
+ * blocks across, blocks down. Writes [READ_COUNT][rows][pitch]. */
 static const char probe_text[] =
-    "#define STORE(v) store_block(v, out + size * n++ + at, frame.pitch)\n"
+    "#define STORE(v) store_block(v, out + size * n++ + at, frame->pitch)\n"
     "#define STORE_THREE(v) STORE((v).x); STORE((v).y); STORE((v).z)\n"
-    "__kernel void probe(const tl_frame frame, __global const uchar *planes,\n"
-    "                    __global float *out)\n"
+    "TL_INLINE void read_all(tl_layout layout, tl_needs needs, const tl_frame *frame,\n"
+    "                        __global const uchar *planes, __global float *out)\n"
     "{\n"
-    "    const tl_needs needs = needs_of_build();\n"
-    "    const tl_layout layout = tl_layouts[TL_LAYOUT];\n"
     "    const uint column = get_global_id(0) * BLOCK_COLUMNS;\n"
     "    const uint row = get_global_id(1) * BLOCK_ROWS;\n"
-    "    const size_t size = (size_t)frame.rows * frame.pitch;\n"
-    "    const size_t at = (size_t)row * frame.pitch + column;\n"
-    "    const tl_words words = load_words(&layout, planes, size, at, frame.pitch);\n"
-    "    const vec3 p = position_of(&frame, needs, &layout, &words,\n"
+    "    const size_t size = (size_t)frame->rows * frame->pitch;\n"
+    "    const size_t at = (size_t)row * frame->pitch + column;\n"
+    "    const tl_words words = load_words(&layout, planes, size, at, frame->pitch);\n"
+    "    const vec3 p = position_of(frame, needs, &layout, &words,\n"
     "                               LANE_COLUMN + (scalar)column, LANE_ROW + (scalar)row);\n"
     "    const pixel in = pixel_of(needs, &layout, &words, -p.z);\n"
     "    uint n = 0;\n"
@@ -36,6 +35,14 @@ static const char probe_text[] =
     "    STORE(in.metallic);\n"
     "    STORE(in.roughness);\n"
     "    STORE(in.occlusion);\n"
+    "}\n"
+    "#define PROBE(number)\\\n"
+    "__kernel void probe_##number(const tl_frame frame, __global const uchar *planes,\\\n"
+    "                             __global float *out)\\\n"
+    "{\\\n"
+    "    tl_needs needs = needs_of_build();\\\n"
+    "    needs.layout = number;\\\n"
+    "    read_all(tl_layouts[number], needs, &frame, planes, out);\\\n"
     "}\n";
 
 typedef struct variant {
@@ -53,8 +60,10 @@ static void run_probe(const tl_device *device,
     const size_t out_size = READ_COUNT * pixels * sizeof *out;
     const size_t across = v->width == 1 ? 1 : 4, down = v->width == 16 ? 4 : 1;
     const size_t blocks[2] = {HARD_COLUMNS / across, HARD_ROWS / down};
+    char name[32];
     cl_int code[3];
-    cl_kernel probe = clCreateKernel(program, "probe", &code[0]);
+    snprintf(name, sizeof name, "probe_%d", (int)g->layout);
+    cl_kernel probe = clCreateKernel(program, name, &code[0]);
     cl_mem planes = clCreateBuffer(device->context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR,
                                    pixels * tl_gbuffer_pixel_size(g), g->planes, &code[1]);
     cl_mem read = clCreateBuffer(device->context, CL_MEM_READ_WRITE | CL_MEM_COPY_HOST_PTR,
@@ -94,6 +103,7 @@ static void read_on_host(const tl_gbuffer *g,
 }
 
 static void layout_agrees(const tl_device *device,
+                          cl_program program,
                           const variant *v,
                           const tl_gbuffer *from,
                           enum tl_layout_name layout)
@@ -116,16 +126,7 @@ static void layout_agrees(const tl_device *device,
                             .layout = layout};
     float *out = calloc(READ_COUNT * pixels, sizeof *out);
     assert_non_null(out);
-    const tl_kernel_options options = {.width = v->width,
-                                       .orthographic = v->orthographic,
-                                       .layout = layout,
-                                       .present = v->present & tl_layout_planes(layout),
-                                       .models = 1,
-                                       .falloffs = 1,
-                                       .ambient = 1};
-    cl_program program = build_probe(device, &options, probe_text);
     run_probe(device, program, v, g, &frame, out);
-    clReleaseProgram(program);
     for (uint32_t i = 0; i < HARD_PIXELS; i++) {
         const uint32_t column = i % HARD_COLUMNS, row = i / HARD_COLUMNS;
         float want[READ_COUNT];
@@ -142,13 +143,56 @@ static void layout_agrees(const tl_device *device,
     tl_gbuffer_destroy(g);
 }
 
+/* Those of a frame that a layout keeps; 0 where it has no place for such a frame. */
+static uint32_t planes_in(const variant *v, int layout)
+{
+    if ((v->present & TL_GROUP_PHONG) && layout == TL_LAYOUT_DXR)
+        return 0;
+    return v->present & tl_layout_planes((enum tl_layout_name)layout);
+}
+
+/* Kernels for all layouts of these planes: one program, for most of what a build takes is the same for all. */
+static cl_program build_probes(const tl_device *device, const variant *v, uint32_t planes)
+{
+    const tl_kernel_options options = {.width = v->width,
+                                       .orthographic = v->orthographic,
+                                       .present = planes,
+                                       .models = 1,
+                                       .falloffs = 1,
+                                       .ambient = 1};
+    char text[sizeof probe_text + TL_LAYOUT_COUNT * 16];
+    size_t length = (size_t)snprintf(text, sizeof text, "%s", probe_text);
+    for (int layout = 0; layout < TL_LAYOUT_COUNT; layout++)
+        if (planes_in(v, layout) == planes)
+            length +=
+                (size_t)snprintf(text + length, sizeof text - length, "PROBE(%d)\n", layout);
+    assert_true(length < sizeof text);
+    return build_probe(device, &options, text);
+}
+
+/* Whether no layout before it has the same planes. */
+static int is_first_of_its_planes(const variant *v, int layout)
+{
+    for (int other = 0; other < layout; other++)
+        if (planes_in(v, other) == planes_in(v, layout))
+            return 0;
+    return 1;
+}
+
 static void every_layout_agrees(const tl_device *device, const variant *v, size_t hard)
 {
     const tl_camera camera = hard_camera(hard);
     tl_gbuffer *from = hard_layout_frame(&camera, v->present, 42);
-    for (int layout = 0; layout < TL_LAYOUT_COUNT; layout++)
-        if (!(v->present & TL_GROUP_PHONG) || layout != TL_LAYOUT_DXR)
-            layout_agrees(device, v, from, (enum tl_layout_name)layout);
+    for (int first = 0; first < TL_LAYOUT_COUNT; first++) {
+        const uint32_t planes = planes_in(v, first);
+        if (planes == 0 || !is_first_of_its_planes(v, first))
+            continue;
+        cl_program program = build_probes(device, v, planes);
+        for (int layout = first; layout < TL_LAYOUT_COUNT; layout++)
+            if (planes_in(v, layout) == planes)
+                layout_agrees(device, program, v, from, (enum tl_layout_name)layout);
+        clReleaseProgram(program);
+    }
     tl_gbuffer_destroy(from);
 }
 
