@@ -51,7 +51,6 @@ static const struct {
     uint32_t width, tile;
     uint64_t memory;
 } ways[] = {
-    {"16 lanes", TL_PATH_CPU, 16, 16, 0},    {"8 lanes", TL_PATH_CPU, 8, 16, 0},
     {"4 lanes", TL_PATH_CPU, 4, 16, 0},      {"1 lane", TL_PATH_CPU, 1, 16, 0},
     {"the gpu path", TL_PATH_GPU, 1, 16, 0}, {"tiles of 8", TL_PATH_CPU, 0, 8, 0},
     {"tiles of 64", TL_PATH_CPU, 0, 64, 0},

@@ -38,7 +38,6 @@ static const struct {
     {"cells, long lists", 70, 70, TL_PERSPECTIVE, 8, 4500, 1.5f, 0.0f, TL_LAYOUT_FLOAT, 0},
     {"positions in world space", 61, 40, TL_ORTHOGRAPHIC, 8, 300, 1.0f, 0.0f,
      TL_LAYOUT_SHADERX2_96, 0},
-    {"words of one byte", 61, 40, TL_PERSPECTIVE, 16, 300, 1.0f, 0.1f, TL_LAYOUT_ISPC, 0},
     {"spots", 61, 40, TL_PERSPECTIVE, 16, 300, 3.0f, 0.1f, TL_LAYOUT_FLOAT, 1},
     {"spots, cells", 140, 90, TL_ORTHOGRAPHIC, 8, 5000, 0.8f, 0.2f, TL_LAYOUT_FLOAT, 1},
     {"spots, positions in view space", 61, 40, TL_PERSPECTIVE, 8, 300, 3.0f, 0.0f,

@@ -8,7 +8,6 @@
 #include "tilelight/layouts.h"
 
 static const uint32_t widths[] = {8, 1, 4, 16};
-enum { ALL_WIDTHS = 15 };
 
 /* What is tried. Metal, models and spots do not know of projections, nor spots of models: each is tried
  * once. A build takes seconds, so that not all is tried with all, but each with each other. */
@@ -86,7 +85,7 @@ static void widths_agree(tl_device *device, const bits_case *of)
     tl_gbuffer_destroy(g);
 }
 
-/* Every width in each precision and under each projection, and each precision under each projection. */
+/* Every width in float, the narrowest and the widest in double, and each precision under each projection. */
 static void every_width_agrees(void **state)
 {
     static const bits_case cases[] = {
@@ -101,11 +100,11 @@ static void every_width_agrees(void **state)
         {.precision = TL_PRECISION_DOUBLE,
          .projection = TL_PERSPECTIVE,
          .present = TL_GROUP_BASE | TL_GROUP_PHONG,
-         .tried = 10},
+         .tried = 8},
         {.precision = TL_PRECISION_DOUBLE,
          .projection = TL_ORTHOGRAPHIC,
          .present = TL_GROUP_BASE | TL_GROUP_PHONG,
-         .tried = 5},
+         .tried = 2},
     };
     const tl_device_info info = tl_device_describe(*state);
     for (size_t i = 0; i < COUNT_OF(cases); i++)
@@ -134,12 +133,12 @@ static void every_width_agrees_by_every_model(void **state)
 }
 
 /* Every sixth light is none: metal has both. */
-static void every_width_agrees_on_metal_and_spots(void **state)
+static void metal_and_spots_agree(void **state)
 {
     bits_case of = {.precision = TL_PRECISION_FLOAT,
                     .present = TL_GROUP_BASE | TL_GROUP_METAL_ROUGH,
                     .spots = 1,
-                    .tried = ALL_WIDTHS};
+                    .tried = 10};
     widths_agree(*state, &of);
     of.precision = TL_PRECISION_DOUBLE;
     of.present = TL_GROUP_BASE | TL_GROUP_PHONG;
@@ -245,14 +244,14 @@ static void shapes_know_nothing_of_tiles(void **state)
     tl_gbuffer_destroy(g);
 }
 
-static void every_width_agrees_where_lobes_share_a_colour(void **state)
+static void widths_agree_where_lobes_share_a_colour(void **state)
 {
     tl_light_set lights = {0};
     tl_gbuffer *g = one_color_frame(TL_PERSPECTIVE, &lights);
     tl_image *want = image_like(g), *got = image_like(g);
     assert_int_equal(prepares_one_color(g, &lights), 1);
     light_with(NULL, TL_PRECISION_TWIN, 0, TL_PATH_AUTO, g, &lights, want);
-    for (size_t w = 0; w < COUNT_OF(widths); w++) {
+    for (size_t w = 0; w < 2; w++) {
         light_with(*state, TL_PRECISION_FLOAT, widths[w], TL_PATH_CPU, g, &lights, got);
         assert_same_image(got, want, "one colour, by tiles");
     }
@@ -303,8 +302,8 @@ int main(void)
         cmocka_unit_test(every_width_agrees),
         cmocka_unit_test(every_width_agrees_by_every_model),
         cmocka_unit_test(one_colour_is_two_sums_at_once),
-        cmocka_unit_test(every_width_agrees_where_lobes_share_a_colour),
-        cmocka_unit_test(every_width_agrees_on_metal_and_spots),
+        cmocka_unit_test(widths_agree_where_lobes_share_a_colour),
+        cmocka_unit_test(metal_and_spots_agree),
         cmocka_unit_test(every_width_agrees_on_shapes),
         cmocka_unit_test(shapes_know_nothing_of_tiles),
     };
