@@ -1,6 +1,8 @@
 #define _GNU_SOURCE
 #include "parallel.h"
 
+#include "tilelight/report.h"
+
 #include <pthread.h>
 #include <sched.h>
 #include <stdatomic.h>
@@ -13,7 +15,10 @@ typedef struct job {
     void *context;
     size_t count, range;
     atomic_size_t next;
+    atomic_ullong helped_ns; /* processor time of threads that were started for it */
 } job;
+
+static _Thread_local double helped_s;
 
 unsigned tl_thread_count(void)
 {
@@ -28,17 +33,29 @@ unsigned tl_thread_count(void)
     return processors < 1 ? 1u : processors > MAX_THREADS ? MAX_THREADS : (unsigned)processors;
 }
 
-static void *take_ranges(void *argument)
+static void take_ranges(job *shared)
 {
-    job *const shared = argument;
     for (;;) {
         const size_t begin = atomic_fetch_add(&shared->next, shared->range);
         if (begin >= shared->count)
-            return NULL;
+            return;
         const size_t left = shared->count - begin;
         shared->work(shared->context, begin,
                      begin + (left < shared->range ? left : shared->range));
     }
+}
+
+static void *help(void *argument)
+{
+    job *const shared = argument;
+    take_ranges(shared);
+    atomic_fetch_add(&shared->helped_ns, (unsigned long long)(1e9 * tl_thread_seconds()));
+    return NULL;
+}
+
+double tl_parallel_seconds(void)
+{
+    return helped_s;
 }
 
 void tl_parallel(size_t count,
@@ -54,10 +71,12 @@ void tl_parallel(size_t count,
 
     shared.range = even > grain ? even : grain ? grain : 1;
     atomic_init(&shared.next, 0);
+    atomic_init(&shared.helped_ns, 0);
     while (started + 1 < thread_count && (started + 1) * shared.range < count &&
-           pthread_create(&threads[started], NULL, take_ranges, &shared) == 0)
+           pthread_create(&threads[started], NULL, help, &shared) == 0)
         started++;
     take_ranges(&shared);
     while (started > 0)
         pthread_join(threads[--started], NULL);
+    helped_s += 1e-9 * (double)atomic_load(&shared.helped_ns);
 }

@@ -17,6 +17,9 @@ void tl_parallel(size_t count,
                  void (*work)(void *context, size_t begin, size_t end),
                  void *context);
 
+/* Seconds of processor time that other threads have taken for what this thread gave to tl_parallel. */
+double tl_parallel_seconds(void);
+
 /* How many threads tl_parallel uses, at least 1. */
 unsigned tl_thread_count(void);
 

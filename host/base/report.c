@@ -21,6 +21,13 @@ double tl_processor_seconds(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+double tl_thread_seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
 /* Seconds since this process began, as the system says: in whole ticks. Negative if it does not. */
 static double age_in_ticks(double tick)
 {

@@ -200,11 +200,13 @@ void job_release(job *j)
 {
     json_decref(j->report);
     tl_image_destroy(j->image);
+    free(j->codes);
     for (size_t i = 0; i < j->aovs.count; i++)
         tl_image_destroy(j->aovs.images[i]);
     free(j->aovs.images);
     free(j->aovs.layers);
-    tl_light_set_clear(&j->lights);
+    if (!j->lights_are_lent)
+        tl_light_set_clear(&j->lights);
     tl_gbuffer_destroy(j->gbuffer);
     *j = (job){0};
 }

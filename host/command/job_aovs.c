@@ -98,7 +98,7 @@ done:
 /* What all groups have in common. */
 typedef struct grouping {
     job *j;
-    tl_lighting *lighting;
+    tl_lighting *lighting; /* the lighter's */
     uint8_t *lit; /* [lights] */
 } grouping;
 
@@ -152,7 +152,7 @@ static tl_status check_names(const job_aovs *aovs, tl_error *err)
 
 static tl_status take_groups(job *j,
                              const tl_lighting_options *options,
-                             tl_device *device,
+                             lighter *with,
                              tl_error *err)
 {
     tl_status status = TL_OK;
@@ -169,14 +169,14 @@ static tl_status take_groups(job *j,
         tl_notice(&console_notices,
                   "no light is in a group: the layer `rest' is the whole picture; \"group\" of "
                   "lights in a lights file names one");
-    TRY(tl_lighting_create(device, &of_groups, &g.lighting, err));
+    TRY(lighter_lighting(with, &with->groups, &of_groups, err));
+    g.lighting = with->groups;
     for (size_t i = 0; i < count; i++)
         TRY(add_group(&g, "light_", groups[i].name, groups[i].name, err));
     TRY(add_group(&g, "", "rest", "", err));
     TRY(check_names(&j->aovs, err));
     tl_timings_end(&j->timings, "groups", start);
 done:
-    tl_lighting_destroy(g.lighting);
     free(groups);
     free(g.lit);
     return status;
@@ -190,14 +190,14 @@ static void report(job *j)
     job_report(j, "aovs", names);
 }
 
-tl_status job_take_aovs(job *j, const lighting_choice *choice, tl_device *device, tl_error *err)
+tl_status job_take_aovs(job *j, const lighting_choice *choice, lighter *with, tl_error *err)
 {
     tl_status status = TL_OK;
     if (choice->options.split == 0 && !choice->groups)
         return TL_OK;
     TRY(take_terms(j, choice->options.split, err));
     if (choice->groups)
-        TRY(take_groups(j, &choice->options, device, err));
+        TRY(take_groups(j, &choice->options, with, err));
     report(j);
 done:
     return status;

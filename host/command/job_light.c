@@ -13,16 +13,23 @@ static const bool needs_device[TL_PRECISION_COUNT] = {
     [TL_PRECISION_DOUBLE] = true,
 };
 
-tl_status job_prepare_light(job *j,
-                            const lighting_choice *choice,
-                            tl_device **device,
-                            tl_error *err)
+tl_status job_take_lights(job *j, const lighting_choice *choice, const char *path, tl_error *err)
 {
     tl_status status = TL_OK;
-    TRY(job_read_lights(j, choice->lights, err));
+    TRY(job_read_lights(j, path, err));
     /* Before a capture makes shadow maps of them. */
     if (j->lights_given)
         TRY(tl_light_set_control(&j->lights, choice->controls.of, choice->controls.count, err));
+done:
+    return status;
+}
+
+tl_status job_open_device(job *j,
+                          const lighting_choice *choice,
+                          tl_device **device,
+                          tl_error *err)
+{
+    tl_status status = TL_OK;
     if (!needs_device[choice->options.precision])
         goto done;
     const double start = tl_seconds();
@@ -32,6 +39,15 @@ tl_status job_prepare_light(job *j,
     job_report(j, "device", json_string(tl_device_describe(*device).name));
 done:
     return status;
+}
+
+tl_status job_prepare_light(job *j,
+                            const lighting_choice *choice,
+                            tl_device **device,
+                            tl_error *err)
+{
+    const tl_status status = job_take_lights(j, choice, choice->lights, err);
+    return status == TL_OK ? job_open_device(j, choice, device, err) : status;
 }
 
 tl_status job_control_lights(job *j, const lighting_choice *choice, tl_error *err)
@@ -61,6 +77,20 @@ tl_status job_choose_lights(job *j, const sky_choice *sky, tl_error *err)
     if (status != TL_OK || had_lights || tl_light_set_is_lit_by_sky(&j->lights))
         return status;
     return add_rig(j, err);
+}
+
+tl_status job_settle_lights(job *j, const lighting_choice *choice, tl_error *err)
+{
+    const tl_status status = sky_choose(&choice->sky, &j->lights, err);
+    if (status == TL_OK)
+        job_choose_occlusion(j, choice);
+    return status;
+}
+
+void job_lend_lights(const job *from, job *to)
+{
+    to->lights = from->lights;
+    to->lights_given = to->lights_are_lent = true;
 }
 
 void job_choose_occlusion(job *j, const lighting_choice *choice)
@@ -111,16 +141,27 @@ static void tell_approximations(job *j, const tl_approximations *of)
 }
 
 static tl_status light_as_chosen(job *j,
-                                 tl_device *device,
+                                 lighter *with,
                                  const tl_lighting_options *options,
                                  tl_lighting_counts *counts,
-                                 tl_lighting **lighting,
                                  tl_error *err)
 {
     tl_status status = TL_OK;
-    TRY(tl_lighting_create(device, options, lighting, err));
-    TRY(tl_lighting_run(*lighting, j->gbuffer, &j->lights, j->image, &j->timings,
+    TRY(lighter_lighting(with, &with->lighting, options, err));
+    TRY(tl_lighting_run(with->lighting, j->gbuffer, &j->lights, j->image, &j->timings,
                         &console_notices, counts, err));
+done:
+    return status;
+}
+
+static tl_status choose_lights(job *j, const lighting_choice *choice, tl_error *err)
+{
+    tl_status status = TL_OK;
+    if (j->lights_are_lent)
+        return TL_OK;
+    TRY(job_choose_lights(j, &choice->sky, err));
+    TRY(job_control_lights(j, choice, err));
+    job_choose_occlusion(j, choice);
 done:
     return status;
 }
@@ -128,7 +169,7 @@ done:
 tl_status job_light(job *j,
                     const lighting_choice *choice,
                     const tl_goal *goal,
-                    tl_device *device,
+                    lighter *with,
                     explained *told,
                     tl_error *err)
 {
@@ -136,31 +177,29 @@ tl_status job_light(job *j,
     const tl_camera *camera = &j->gbuffer->camera;
     tl_lighting_counts counts = {0};
     tl_lighting_options options = choice->options;
-    tl_lighting *lighting = NULL;
+    tl_lighting *chosen = NULL; /* by the goal, for this frame */
     options.keeps_tile_lights = told != NULL;
 
     console_stage("lighting");
-    TRY(job_choose_lights(j, &choice->sky, err));
-    TRY(job_control_lights(j, choice, err));
-    job_choose_occlusion(j, choice);
+    TRY(choose_lights(j, choice, err));
     tell_model(j);
     tell_layers(j, &options);
     TRY(tl_image_create_parts(camera->width, camera->height, TL_AOVS_IN(options.split),
                               &j->image, err));
     if (goal)
-        TRY(job_promise_light(j, goal, device, &options, &counts, &lighting, err));
+        TRY(job_promise_light(j, goal, with->device, &options, &counts, &chosen, err));
     else
-        TRY(light_as_chosen(j, device, &options, &counts, &lighting, err));
+        TRY(light_as_chosen(j, with, &options, &counts, err));
     tell_approximations(j, &options.approximations);
     if (told)
-        TRY(explain_take(j, lighting, &options, &counts, told, err));
-    TRY(job_take_aovs(j, choice, device, err));
+        TRY(explain_take(j, goal ? chosen : with->lighting, &options, &counts, told, err));
+    TRY(job_take_aovs(j, choice, with, err));
     report_counts(j, &counts);
     if (counts.first_kernel_s > 0.0)
         j->first_kernel_ms = 1e3 * (counts.first_kernel_s - j->start_s);
     if (counts.shade_wall_ms > 0.0)
         j->shade_processors = counts.shade_processor_ms / counts.shade_wall_ms;
 done:
-    tl_lighting_destroy(lighting);
+    tl_lighting_destroy(chosen);
     return status;
 }

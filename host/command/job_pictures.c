@@ -57,74 +57,54 @@ static void tell_cut(const tl_image *image, const char *path)
 
 /* A job's pictures as they are written. */
 typedef struct writing {
-    job *j;
+    const job *j;
     const picture_options *options;
-    const tl_image *image;
-    const tl_lighting_options *lighting;
-    tl_device *device; /* NULL: the precision needs none */
     tl_look look;
-    void *codes; /* [height][width][3] of uint8_t or uint16_t; NULL until a PNG is written */
 } writing;
 
-static tl_status show_on_device(writing *w, float exposure, tl_error *err)
+static writing writing_of(const job *j, const picture_options *options)
+{
+    return (writing){
+        .j = j, .options = options, .look = picture_look(options, j->has_look ? &j->look : NULL)};
+}
+
+static tl_status show_on_device(job *j,
+                                const tl_lighting_options *lighting,
+                                lighter *with,
+                                float exposure,
+                                tl_look look,
+                                tl_error *err)
 {
     static const tl_post_options nothing = {.mend = 0};
-    tl_post *post = NULL;
     tl_status status = TL_OK;
-    TRY(tl_post_create(w->device, w->lighting, &nothing, &post, err));
-    TRY(tl_post_codes(post, w->image, exposure, w->look, w->codes, &w->j->timings, NULL, err));
+    TRY(lighter_post(with, lighting, &nothing, err));
+    TRY(tl_post_codes(with->post, j->image, exposure, look, j->codes, &j->timings, NULL, err));
 done:
-    tl_post_destroy(post);
     return status;
 }
 
-/* Codes are made once, however many PNGs there are. */
-static tl_status make_codes(writing *w, tl_error *err)
+static tl_status write_png(const writing *w, const char *path, tl_error *err)
 {
-    const tl_image *image = w->image;
-    const bool is_deep = w->options->depth == 16;
-    tl_status status = TL_OK;
-    if (w->codes)
-        return TL_OK;
-    const double start = tl_seconds();
-    w->codes = malloc((is_deep ? 6 : 3) * (size_t)image->width * image->height);
-    if (!w->codes)
-        return tl_fail(err, TL_ERR_MEMORY, "out of memory for a picture of %u x %u pixels",
-                       image->width, image->height);
-    tell_look(w->j, w->options, w->look);
-    const float exposure = choose_exposure(w->j, w->options);
-    if (is_deep)
-        tl_image_to_rgb16(image, exposure, w->look, w->codes);
-    else if (w->device && !tl_look_has_thresholds(w->look))
-        status = show_on_device(w, exposure, err);
-    else
-        tl_image_to_rgb8(image, exposure, w->look, w->codes);
-    tl_timings_end(&w->j->timings, "tone", start);
-    return status;
-}
-
-static tl_status write_png(writing *w, const char *path, tl_error *err)
-{
-    const tl_image *image = w->image;
+    const tl_image *image = w->j->image;
     if (w->options->depth == 16)
-        return tl_png_write_deep(path, w->codes, image->width, image->height, w->look.curve,
+        return tl_png_write_deep(path, w->j->codes, image->width, image->height, w->look.curve,
                                  err);
-    return tl_png_write(path, w->codes, image->width, image->height, w->look.curve, err);
+    return tl_png_write(path, w->j->codes, image->width, image->height, w->look.curve, err);
 }
 
-static tl_status write_exr(writing *w, const char *path, tl_error *err)
+static tl_status write_exr(const writing *w, const char *path, tl_error *err)
 {
     if (w->options->exr.half)
-        tell_cut(w->image, path);
+        tell_cut(w->j->image, path);
     if (w->j->aovs.count == 0)
-        return tl_image_write_exr(path, w->image, w->options->exr, err);
-    return tl_image_write_layers(path, w->image, w->j->aovs.layers, w->j->aovs.count,
+        return tl_image_write_exr(path, w->j->image, w->options->exr, err);
+    return tl_image_write_layers(path, w->j->image, w->j->aovs.layers, w->j->aovs.count,
                                  w->options->exr, err);
 }
 
-static tl_status write_pfm(writing *w, const char *path, tl_error *err)
+static tl_status write_pfm(const writing *w, const char *path, tl_error *err)
 {
-    return tl_image_write_pfm(path, w->image, err);
+    return tl_image_write_pfm(path, w->j->image, err);
 }
 
 static json_t *png_numbers(const writing *w)
@@ -151,7 +131,7 @@ static const struct {
     int kinds; /* of output.h */
     const char *name;
     bool has_codes;
-    tl_status (*write)(writing *w, const char *path, tl_error *err);
+    tl_status (*write)(const writing *w, const char *path, tl_error *err);
     json_t *(*numbers)(const writing *w); /* for the report: what stands in it */
 } formats[] = {
     {OUTPUT_PNG | OUTPUT_STANDARD, "PNG", true, write_png, png_numbers},
@@ -163,50 +143,74 @@ static const struct {
 static json_t *describe(const writing *w, const char *path, size_t format)
 {
     json_t *said = json_pack("{ss ss s[ii]}", "file", path, "format", formats[format].name,
-                             "size", (int)w->image->width, (int)w->image->height);
+                             "size", (int)w->j->image->width, (int)w->j->image->height);
     json_t *numbers = formats[format].numbers(w);
     json_object_update(said, numbers);
     json_decref(numbers);
     return said;
 }
 
-static tl_status write_one(writing *w, int output, json_t *list, tl_error *err)
+static size_t format_of(int kind)
 {
-    tl_status status = TL_OK;
-    const char *path = w->options->paths[output];
     size_t format = 0;
-    while (!(formats[format].kinds & w->options->kinds[output]))
+    while (!(formats[format].kinds & kind))
         format++;
-    if (formats[format].has_codes)
-        TRY(make_codes(w, err));
+    return format;
+}
+
+static bool any_has_codes(const picture_options *options)
+{
+    for (int i = 0; i < options->count; i++)
+        if (formats[format_of(options->kinds[i])].has_codes)
+            return true;
+    return false;
+}
+
+tl_status job_show_pictures(job *j,
+                            const picture_options *options,
+                            const tl_lighting_options *lighting,
+                            lighter *with,
+                            tl_error *err)
+{
+    const tl_image *image = j->image;
+    const bool is_deep = options->depth == 16;
+    const writing w = writing_of(j, options);
+    tl_status status = TL_OK;
+    if (!any_has_codes(options))
+        return TL_OK;
     const double start = tl_seconds();
-    TRY(formats[format].write(w, path, err));
-    tl_timings_end(&w->j->timings, "write", start);
-    json_array_append_new(list, describe(w, path, format));
-done:
+    j->codes = malloc((is_deep ? 6 : 3) * (size_t)image->width * image->height);
+    if (!j->codes)
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for a picture of %u x %u pixels",
+                       image->width, image->height);
+    tell_look(j, options, w.look);
+    const float exposure = choose_exposure(j, options);
+    if (is_deep)
+        tl_image_to_rgb16(image, exposure, w.look, j->codes);
+    else if (with->device && !tl_look_has_thresholds(w.look))
+        status = show_on_device(j, lighting, with, exposure, w.look, err);
+    else
+        tl_image_to_rgb8(image, exposure, w.look, j->codes);
+    tl_timings_end(&j->timings, "tone", start);
     return status;
 }
 
-tl_status job_write_pictures(job *j,
-                             const picture_options *options,
-                             const tl_lighting_options *lighting,
-                             tl_device *device,
-                             tl_error *err)
+
+tl_status job_write_pictures(job *j, const picture_options *options, tl_error *err)
 {
+    const writing w = writing_of(j, options);
     tl_status status = TL_OK;
     json_t *list = json_array();
-    writing w = {.j = j,
-                 .options = options,
-                 .image = j->image,
-                 .lighting = lighting,
-                 .device = device,
-                 .look = picture_look(options, j->has_look ? &j->look : NULL)};
     console_stage("writing");
-    for (int i = 0; i < options->count; i++)
-        TRY(write_one(&w, i, list, err));
+    for (int i = 0; i < options->count; i++) {
+        const size_t format = format_of(options->kinds[i]);
+        const double start = tl_seconds();
+        TRY(formats[format].write(&w, options->paths[i], err));
+        tl_timings_end(&j->timings, "write", start);
+        json_array_append_new(list, describe(&w, options->paths[i], format));
+    }
     job_report(j, "outputs", json_incref(list));
 done:
     json_decref(list);
-    free(w.codes);
     return status;
 }

@@ -62,26 +62,25 @@ tl_status job_post(job *j,
                    const post_choice *choice,
                    const picture_options *pictures,
                    const tl_lighting_options *lighting,
-                   tl_device *device,
+                   lighter *with,
                    tl_error *err)
 {
     tl_post_options options = choice->options;
     tl_post_counts counts;
-    tl_post *post = NULL;
     tl_status status = TL_OK;
     options.bloom.threshold = exposed_threshold(j, &choice->options.bloom, pictures);
     options.mend = lighting->kernel.text != NULL;
     options.width = pictures->width;
     options.height = pictures->height;
     options.filter = pictures->filter;
-    TRY(tl_post_create(device, lighting, &options, &post, err));
-    TRY(tl_post_run(post, j->gbuffer, &j->image, &j->timings, &console_notices, &counts, err));
+    TRY(lighter_post(with, lighting, &options, err));
+    TRY(tl_post_run(with->post, j->gbuffer, &j->image, &j->timings, &console_notices, &counts,
+                    err));
     tell(choice, &options, &counts);
     tell_stretched(j, pictures);
     report(j, &counts);
     j->post = counts;
 done:
-    tl_post_destroy(post);
     return status;
 }
 

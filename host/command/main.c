@@ -42,6 +42,8 @@ static const struct {
      command_scatter, ""},
     {"light", "G.exr -o OUT", "light a G-buffer", LIGHTING(command_light),
      "-DTILELIGHT_LIGHTING=ON"},
+    {"batch", "G.####.exr -o OUT", "light many G-buffers", LIGHTING(command_batch),
+     "-DTILELIGHT_LIGHTING=ON"},
     {"check", "[--kernel FILE.cl]",
      "hold a shading kernel, yours or ours, against the reference", LIGHTING(command_check),
      "-DTILELIGHT_LIGHTING=ON"},

@@ -31,18 +31,25 @@ static bool has_suffix(const char *path, const char *suffix)
            path[length - end - 1] != '/';
 }
 
+int output_kind_of(const char *path, int accepted)
+{
+    for (size_t i = 0; i < KIND_COUNT; i++)
+        if ((kinds[i].kind & accepted) && (kinds[i].name ? strcmp(path, kinds[i].name) == 0
+                                                         : has_suffix(path, kinds[i].suffix)))
+            return kinds[i].kind;
+    return 0;
+}
+
 int output_kind(struct argp_state *state, const char *option, const char *path, int accepted)
 {
     char list[128] = "";
-    for (size_t i = 0, used = 0; i < KIND_COUNT; i++) {
-        if (!(kinds[i].kind & accepted))
-            continue;
-        if (kinds[i].name ? strcmp(path, kinds[i].name) == 0
-                          : has_suffix(path, kinds[i].suffix))
-            return kinds[i].kind;
-        used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", used ? ", " : "",
-                                 kinds[i].says);
-    }
+    const int kind = output_kind_of(path, accepted);
+    if (kind)
+        return kind;
+    for (size_t i = 0, used = 0; i < KIND_COUNT; i++)
+        if (kinds[i].kind & accepted)
+            used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", used ? ", " : "",
+                                     kinds[i].says);
     argp_error(state, "%s: cannot tell what to write from \"%s\"; end it in %s", option, path,
                list);
     return 0;

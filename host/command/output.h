@@ -15,6 +15,9 @@ enum {
     OUTPUT_STANDARD_PFM = 32
 };
 
+/* Which of the set `accepted` `path` is, as below; 0: none. */
+int output_kind_of(const char *path, int accepted);
+
 /* Which of these `path` is, by its suffix, as "-" or as "pfm:-". Anything outside the set `accepted` is a
  * usage error that lists what `option` takes. */
 int output_kind(struct argp_state *state, const char *option, const char *path, int accepted);

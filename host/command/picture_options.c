@@ -133,7 +133,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
         options->filter_given = true;
         return 0;
     case ARGP_KEY_SUCCESS: /* after the arguments, which are asked for first */
-        if (options->count == 0)
+        if (options->count == 0 && !options->named_elsewhere)
             argp_error(state, "-o is missing: where the picture goes");
         if (options->filter_given && options->width == 0)
             argp_error(state, "--filter is for --output-size, which it scales to");

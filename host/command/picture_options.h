@@ -13,6 +13,7 @@ typedef struct picture_options {
     const char *paths[MOST_OUTPUTS]; /* [count]; "-" is standard output */
     int kinds[MOST_OUTPUTS];
     int count;
+    bool named_elsewhere; /* none has to be given */
     bool automatic; /* exposure */
     float exposure; /* stops */
     tl_look look;
@@ -24,7 +25,8 @@ typedef struct picture_options {
     bool filter_given;
 } picture_options;
 
-/* Its input is a picture_options, all zero to begin with. At least one output is required. */
+/* Its input is a picture_options, all zero to begin with. At least one output is required, unless they
+ * are named elsewhere. */
 extern const struct argp
     picture_argp; /* -o, and how pictures are made of what was lit */
 

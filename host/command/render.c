@@ -111,7 +111,7 @@ done:
     return status;
 }
 
-static tl_status run(job *j, const render_options *options, tl_device **device, tl_error *err)
+static tl_status run(job *j, const render_options *options, lighter *with, tl_error *err)
 {
     tl_status status = TL_OK;
     tl_goal goal;
@@ -120,19 +120,22 @@ static tl_status run(job *j, const render_options *options, tl_device **device, 
     TRY(picture_check(&options->pictures, options->scene, err));
     TRY(explain_check(&options->explain, options->scene, err));
     TRY(job_begin(j, &options->report, err));
-    TRY(job_prepare_light(j, &options->lighting, device, err));
+    TRY(job_prepare_light(j, &options->lighting, &with->device, err));
     capture.materials |= j->lights.material_count > 0;
     TRY(job_capture(j, options->scene, &capture, options->lighting.strict, err));
     TRY(scatter(j, options->scatter_count, err));
-    TRY(job_cut_region(j, &options->region, &options->lighting, &options->post, *device, err));
+    TRY(job_cut_region(j, &options->region, &options->lighting, &options->post, with->device,
+                       err));
     TRY(job_light(j, &options->lighting,
                   promise_goal(&options->promise, &options->pictures,
                                j->has_look ? &j->look : NULL, &goal),
-                  *device, explain_wanted(&options->explain) ? &told : NULL, err));
-    TRY(job_post(j, &options->post, &options->pictures, &options->lighting.options, *device,
+                  with, explain_wanted(&options->explain) ? &told : NULL, err));
+    TRY(job_post(j, &options->post, &options->pictures, &options->lighting.options, with,
                  err));
     TRY(job_crop_pictures(j, &options->region, err));
-    TRY(job_write_pictures(j, &options->pictures, &options->lighting.options, *device, err));
+    TRY(job_show_pictures(j, &options->pictures, &options->lighting.options, with, err));
+    lighter_let_go(with);
+    TRY(job_write_pictures(j, &options->pictures, err));
     TRY(explain_tell(j, &options->explain, &told, err));
     if (options->explain.text && !j->report)
         job_post_explain(j, &options->post, &options->lighting.options);
@@ -146,12 +149,12 @@ int command_render(int argc, char **argv)
 {
     render_options options = {.lighting = lighting_choice_default(),
                               .post = post_choice_default()};
-    tl_device *device = NULL;
+    lighter with = {0};
     tl_error err;
     job j = {0};
     argp_parse(&argp, argc, argv, 0, NULL, &options);
-    const tl_status status = run(&j, &options, &device, &err);
-    tl_device_close(device);
+    const tl_status status = run(&j, &options, &with, &err);
+    lighter_close(&with);
     job_release(&j);
     return console_finish(status, &err);
 }

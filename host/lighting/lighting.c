@@ -169,6 +169,15 @@ void tl_lighting_destroy(tl_lighting *lighting)
     free(lighting);
 }
 
+void tl_lighting_let_go(tl_lighting *lighting)
+{
+    if (!lighting)
+        return;
+    tl_buffers_let_go(&lighting->buffers);
+    for (uint32_t i = 0; i < lighting->layer_capacity; i++)
+        tl_lighting_let_go(lighting->layers[i]);
+}
+
 tl_kernel_options tl_lighting_arithmetic(const tl_device *device, const tl_lighting_options *o)
 {
     const int is_double = precisions[o->precision].is_double;

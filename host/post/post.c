@@ -54,6 +54,12 @@ static tl_status check_bloom(const tl_bloom_options *bloom, tl_error *err)
     return TL_OK;
 }
 
+static tl_status check_options(const tl_post_options *options, tl_error *err)
+{
+    const tl_status status = check_edges(&options->edges, err);
+    return status == TL_OK ? check_bloom(&options->bloom, err) : status;
+}
+
 tl_status tl_post_create(tl_device *device,
                          const tl_lighting_options *lighting,
                          const tl_post_options *options,
@@ -62,9 +68,7 @@ tl_status tl_post_create(tl_device *device,
 {
     if (!device && !tl_precision_is_on_host(lighting->precision))
         return tl_fail(err, TL_ERR_ARGUMENT, "this precision needs a device");
-    tl_status status = check_edges(&options->edges, err);
-    if (status == TL_OK)
-        status = check_bloom(&options->bloom, err);
+    const tl_status status = check_options(options, err);
     if (status != TL_OK)
         return status;
     tl_post *made = calloc(1, sizeof *made);
@@ -75,6 +79,14 @@ tl_status tl_post_create(tl_device *device,
     made->options = *options;
     *out = made;
     return TL_OK;
+}
+
+tl_status tl_post_choose(tl_post *post, const tl_post_options *options, tl_error *err)
+{
+    const tl_status status = check_options(options, err);
+    if (status == TL_OK)
+        post->options = *options;
+    return status;
 }
 
 void tl_post_destroy(tl_post *post)

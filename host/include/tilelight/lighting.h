@@ -199,6 +199,10 @@ tl_status tl_lighting_run(tl_lighting *lighting,
                           tl_lighting_counts *counts,
                           tl_error *err);
 
+/* Of the last frame: the caller may then free its G-buffer and image; nothing that is asked of the last frame
+ * is to be asked any more. Buffers of the device's own stay. Accepts NULL. */
+void tl_lighting_let_go(tl_lighting *lighting);
+
 /* A part of a frame's light. */
 typedef struct tl_light_part {
     const uint8_t *lit; /* [lights of the set]: 1: the light is lit */

@@ -137,6 +137,10 @@ tl_status tl_post_create(tl_device *device,
                          tl_post **out,
                          tl_error *err);
 
+/* Other options from now on, for pictures to come. Fails with TL_ERR_ARGUMENT (one is outside its range; then
+ * the options stay). */
+tl_status tl_post_choose(tl_post *post, const tl_post_options *options, tl_error *err);
+
 /* Accepts NULL. */
 void tl_post_destroy(tl_post *post);
 

@@ -26,6 +26,9 @@ double tl_seconds(void);
 /* Seconds of processor time that this process has taken, all threads together. */
 double tl_processor_seconds(void);
 
+/* Seconds of processor time that the calling thread has taken. */
+double tl_thread_seconds(void);
+
 /* When this process began, on the clock of tl_seconds: before its program was loaded. To be asked
  * for while there is one thread. Where loading had to wait for a disk or a processor, up to 10 ms
  * late or early, which is how closely the system knows; else exact to a millisecond. */
