@@ -85,7 +85,8 @@ static void every_compression_comes_back(void **state)
     (void)state;
     scratch_path(path, sizeof path, "compressed.exr");
     for (unsigned k = 0; k < 2 * TL_EXR_COMPRESSION_COUNT; k++) {
-        const tl_exr_form form = {(int)(k % 2), (tl_exr_compression)(k / 2)};
+        const tl_exr_form form = {.half = (int)(k % 2),
+                                  .compression = (tl_exr_compression)(k / 2)};
         tl_image *read = NULL;
         if (!written[form.compression])
             continue;

@@ -47,10 +47,10 @@ static void coarse_first_in_any_steps(void **state)
     ASSERT_FRAMES("1-5:999999999", 1, 5, 4, 3, 2);
     ASSERT_FRAMES("5-1:2", 5, 3, 1, 4, 2);
     ASSERT_FRAMES("7-7:3", 7);
-    ASSERT_OK(tl_frames_parse("1-1000000:1000000", &got, &err), err);
-    assert_int_equal(got.count, 1000000);
+    ASSERT_OK(tl_frames_parse("1-2000000:2000000", &got, &err), err);
+    assert_int_equal(got.count, 2000000);
     assert_int_equal(got.of[0], 1);
-    assert_int_equal(got.of[1], 1000000);
+    assert_int_equal(got.of[1], 2000000);
     tl_frames_clear(&got);
 }
 

@@ -267,6 +267,8 @@ static void shards_make_the_whole(void **state)
         assert_int_equal(list.all_count, 100);
         assert_in_range(list.count, 14, 15);
         for (size_t i = 0; i < list.count; i++)
+            assert_int_equal(list.of[i].frame, shard + 7 * i);
+        for (size_t i = 0; i < list.count; i++)
             seen[list.of[i].frame]++;
         tl_items_clear(&list);
     }

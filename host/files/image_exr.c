@@ -3,6 +3,7 @@
 #include "exr_compression.h"
 #include "exr_reader.h"
 #include "exr_writer.h"
+#include "image_record.h"
 #include "ranges.h"
 #include "try.h"
 
@@ -99,6 +100,11 @@ tl_status tl_image_write_layers(const char *path,
     if (image->whole_width > 0)
         TRY(tl_exr_writer_window(&writer, image->x, image->y, image->whole_width,
                                  image->whole_height, err));
+    if (form.record)
+        TRY(tl_exr_check(
+            &writer.stream,
+            exr_attr_set_string(writer.stream.context, 0, TL_IMAGE_RECORD_NAME, form.record),
+            err));
     TRY(tl_exr_writer_pixels(&writer, &picture, err));
     TRY(tl_exr_writer_commit(&writer, err));
 done:

@@ -1,6 +1,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "image_png.h"
 
+#include "image_record.h"
 #include "parallel.h"
 #include "size_limit.h"
 #include "try.h"
@@ -8,6 +9,7 @@
 
 #include <spng.h>
 #include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -40,21 +42,45 @@ static int set_curve(spng_ctx *context, tl_curve curve)
     return spng_set_gama(context, 1.0 / 2.2);
 }
 
-/* pixels: [height][width][3] numbers of `depth` bits. */
-static tl_status write_pixels(const char *path,
-                              const void *pixels,
-                              uint8_t depth,
-                              uint32_t width,
-                              uint32_t height,
-                              tl_curve curve,
-                              tl_error *err)
+/* The library copies it. */
+static int set_record(spng_ctx *context, const char *record)
+{
+    static const char name[] = TL_IMAGE_RECORD_NAME;
+    struct spng_text text = {.type = SPNG_TEXT, .length = strlen(record)};
+    char copy[TL_IMAGE_RECORD_SIZE];
+    memcpy(text.keyword, name, sizeof name);
+    snprintf(copy, sizeof copy, "%s", record);
+    text.text = copy;
+    return spng_set_text(context, &text, 1);
+}
+
+static tl_status set_header(spng_ctx *context,
+                            const char *path,
+                            const tl_png_picture *picture,
+                            tl_error *err)
+{
+    struct spng_ihdr header = {.width = picture->width,
+                               .height = picture->height,
+                               .bit_depth = (uint8_t)picture->depth,
+                               .color_type = SPNG_COLOR_TYPE_TRUECOLOR};
+    tl_status status = TL_OK;
+    TRY(check(spng_set_option(context, SPNG_ENCODE_TO_BUFFER, 1), path, TL_ERR_WRITE, err));
+    TRY(check(spng_set_option(context, SPNG_IMG_COMPRESSION_LEVEL, ZLIB_LEVEL), path,
+              TL_ERR_WRITE, err));
+    TRY(check(spng_set_option(context, SPNG_FILTER_CHOICE, FILTERS), path, TL_ERR_WRITE, err));
+    TRY(check(spng_set_ihdr(context, &header), path, TL_ERR_WRITE, err));
+    TRY(check(set_curve(context, picture->curve), path, TL_ERR_WRITE, err));
+    if (picture->record)
+        TRY(check(set_record(context, picture->record), path, TL_ERR_WRITE, err));
+done:
+    return status;
+}
+
+tl_status tl_png_write_picture(const char *path, const tl_png_picture *picture, tl_error *err)
 {
     tl_status status = TL_OK;
-    struct spng_ihdr header = {.width = width,
-                               .height = height,
-                               .bit_depth = depth,
-                               .color_type = SPNG_COLOR_TYPE_TRUECOLOR};
-    const size_t pixels_size = (size_t)width * height * 3 * (depth / 8);
+    const size_t codes_size =
+        (size_t)picture->width * picture->height * 3 * (picture->depth / 8);
     void *bytes = NULL;
     size_t size = 0;
     int code = SPNG_OK;
@@ -62,15 +88,10 @@ static tl_status write_pixels(const char *path,
     if (!context)
         return check(SPNG_EMEM, path, TL_ERR_WRITE, err);
 
-    TRY(check(spng_set_option(context, SPNG_ENCODE_TO_BUFFER, 1), path, TL_ERR_WRITE, err));
-    TRY(check(spng_set_option(context, SPNG_IMG_COMPRESSION_LEVEL, ZLIB_LEVEL), path,
-              TL_ERR_WRITE, err));
-    TRY(check(spng_set_option(context, SPNG_FILTER_CHOICE, FILTERS), path, TL_ERR_WRITE, err));
-    TRY(check(spng_set_ihdr(context, &header), path, TL_ERR_WRITE, err));
-    TRY(check(set_curve(context, curve), path, TL_ERR_WRITE, err));
-    TRY(check(
-        spng_encode_image(context, pixels, pixels_size, SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE),
-        path, TL_ERR_WRITE, err));
+    TRY(set_header(context, path, picture, err));
+    TRY(check(spng_encode_image(context, picture->codes, codes_size, SPNG_FMT_PNG,
+                                SPNG_ENCODE_FINALIZE),
+              path, TL_ERR_WRITE, err));
     bytes = spng_get_png_buffer(context, &size, &code);
     TRY(check(code, path, TL_ERR_WRITE, err));
     TRY(tl_whole_file_write(path, bytes, size, err));
@@ -87,7 +108,9 @@ tl_status tl_png_write(const char *path,
                        tl_curve curve,
                        tl_error *err)
 {
-    return write_pixels(path, rgb, 8, width, height, curve, err);
+    const tl_png_picture picture = {
+        .codes = rgb, .width = width, .height = height, .depth = 8, .curve = curve};
+    return tl_png_write_picture(path, &picture, err);
 }
 
 tl_status tl_png_write_deep(const char *path,
@@ -97,7 +120,9 @@ tl_status tl_png_write_deep(const char *path,
                             tl_curve curve,
                             tl_error *err)
 {
-    return write_pixels(path, rgb, 16, width, height, curve, err);
+    const tl_png_picture picture = {
+        .codes = rgb, .width = width, .height = height, .depth = 16, .curve = curve};
+    return tl_png_write_picture(path, &picture, err);
 }
 
 /* What a decoded PNG is spread into planes from. */

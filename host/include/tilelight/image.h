@@ -125,7 +125,20 @@ typedef enum tl_exr_compression {
 typedef struct tl_exr_form {
     int half; /* else float */
     tl_exr_compression compression;
+    const char *record; /* what it was made from, for tl_image_record; NULL: nothing is said */
 } tl_exr_form;
+
+/* A picture in codes, and how it stands in a PNG. */
+typedef struct tl_png_picture {
+    const void *codes;      /* [height][width][3] of uint8_t or uint16_t */
+    uint32_t width, height; /* px */
+    unsigned depth;         /* bits a channel, 8 or 16 */
+    tl_curve curve;         /* by which the codes are */
+    const char *record;     /* as above */
+} tl_png_picture;
+
+/* The longest record, with its NUL. */
+#define TL_IMAGE_RECORD_SIZE 64
 
 /* A picture that is written beside another, under a name: UTF-8, of at most 127 bytes. */
 typedef struct tl_image_layer {
@@ -165,6 +178,12 @@ tl_status tl_png_write_deep(const char *path,
                             uint32_t height,
                             tl_curve curve,
                             tl_error *err);
+tl_status tl_png_write_picture(const char *path, const tl_png_picture *picture, tl_error *err);
+
+/* What an OpenEXR or PNG file says that it was made from: the string attribute or the text chunk
+ * "tilelight:record". False, and "", for one that says nothing, is cut short, or cannot be read. Reads no
+ * pixels. */
+int tl_image_record(const char *path, char out[TL_IMAGE_RECORD_SIZE]);
 
 /* Reads a picture for comparison: the R, G, B of an OpenEXR file, a PFM, or an 8- or 16-bit PNG as values
  * in [0, 1] without decoding sRGB (*is_png says whether it is that; may be NULL). Sizes are checked first.
