@@ -1,6 +1,8 @@
 /* tilelight batch: many captures to pictures. */
 #define _POSIX_C_SOURCE 200809L
 #include "batch_item.h"
+#include "batch_plan.h"
+#include "batch_record.h"
 #include "batch_report.h"
 #include "batch_run.h"
 #include "commands.h"
@@ -19,6 +21,8 @@
 typedef struct batch_command {
     batch_options batch;
     report_options report;
+    int argc;
+    char **argv;
     const char **inputs; /* [input_count], owned */
     size_t input_count;
 } batch_command;
@@ -58,7 +62,8 @@ static void parse_shard(const char *text, tl_batch_request *request, struct argp
     char end = '\0';
     unsigned shard = 0, count = 0;
     if (sscanf(text, "%u/%u%c", &shard, &count, &end) != 2 || shard < 1 || shard > count)
-        argp_error(state, "--shard: \"%s\" is no shard; write I/N, the I-th of N, from 1", text);
+        argp_error(state, "--shard: \"%s\" is no shard; write I/N, the I-th of N, from 1",
+                   text);
     request->shard = shard;
     request->shard_count = count;
 }
@@ -107,11 +112,13 @@ static error_t parse(int key, char *text, struct argp_state *state)
 
 static const struct argp_option options_table[] = {
     {"frames", OPTION_FRAMES, "SET", 0,
-     "Which numbers stand for the #### of the inputs: 1-100, 1-100x5, 3,5-10, -10-100 (default: "
+     "Which numbers stand for the #### of the inputs: 1-100, 1-100x5, 3,5-10, -10-100 "
+     "(default: "
      "those of the files that are there)",
      1},
     {"manifest", OPTION_MANIFEST, "FILE", 0,
-     "Frames from a JSON file, or one of a JSON object a line, with input, outputs and lights of "
+     "Frames from a JSON file, or one of a JSON object a line, with input, outputs and lights "
+     "of "
      "each (- is standard input)",
      1},
     {"shard", OPTION_SHARD, "I/N", 0, "Every Nth frame alone, from the I-th on", 1},
@@ -144,10 +151,22 @@ static const struct argp argp = {
     .children = children,
 };
 
+/* What a batch cannot take twice, or would not find again. */
+static tl_status check_files(const frame_options *frame, tl_error *err)
+{
+    if (frame->lighting.lights && strcmp(frame->lighting.lights, "-") == 0)
+        return tl_fail(
+            err, TL_ERR_ARGUMENT,
+            "--lights -: outputs say which lights they were made by, so a batch takes "
+            "them from a file");
+    return TL_OK;
+}
+
 static tl_status list_items(const batch_command *command, tl_item_list *items, tl_error *err)
 {
     tl_batch_request request = command->batch.request;
     tl_status status = TL_OK;
+    TRY(check_files(&command->batch.frame, err));
     request.inputs = command->inputs;
     request.input_count = command->input_count;
     request.outputs = command->batch.frame.pictures.paths;
@@ -169,13 +188,22 @@ static const char *common_lights(const tl_item_list *items)
     return first;
 }
 
-/* What can be refused before a frame is read. */
-static tl_status prepare(batch *b, batch_options *options, tl_error *err)
+/* What is known without a device. */
+static tl_status prepare_records(batch *b, batch_command *command, tl_error *err)
 {
-    frame_options *frame = &options->frame;
-    lighting_choice *lighting = &frame->lighting;
+    frame_options *frame = &command->batch.frame;
     tl_status status = TL_OK;
-    TRY(kernel_choice_read(&frame->kernel, &lighting->options.kernel, err));
+    TRY(kernel_choice_read(&frame->kernel, &frame->lighting.options.kernel, err));
+    TRY(batch_options_text(&argp, command->argc, command->argv, frame, &b->text, err));
+    TRY(tl_record_cache_create(&b->records, err));
+done:
+    return status;
+}
+
+/* What can be refused before a frame is read. */
+static tl_status prepare(batch *b, const lighting_choice *lighting, tl_error *err)
+{
+    tl_status status = TL_OK;
     TRY(job_take_lights(&b->common, lighting, common_lights(b->items), err));
     if (b->common.lights_given)
         TRY(job_settle_lights(&b->common, lighting, err));
@@ -207,6 +235,8 @@ static void end(batch *b)
     for (size_t i = 0; b->results && i < b->items->count; i++)
         free(b->results[i].sentence);
     free(b->results);
+    free(b->text);
+    tl_record_cache_destroy(b->records);
     batch_queue_end(&b->queue);
     batch_cost_end_all(&b->cost);
     batch_notices_end(&b->notices);
@@ -217,17 +247,6 @@ static void end(batch *b)
     pthread_cond_destroy(&b->tally.changed);
 }
 
-/* What stopped it is said once more, for nothing below it was tried. */
-static tl_status status_of(const batch *b, tl_error *err)
-{
-    if (b->tally.stopped.status != TL_OK)
-        return tl_fail(err, b->tally.stopped.status, "%s; %zu frames are left",
-                       b->tally.stopped.message, b->tally.of[BATCH_LEFT]);
-    if (b->tally.of[BATCH_FAILED] > 0)
-        return tl_fail(err, TL_ERR_DIFFERENT, "%zu frames failed", b->tally.of[BATCH_FAILED]);
-    return TL_OK;
-}
-
 static tl_status run(batch_command *command, const tl_item_list *items, tl_error *err)
 {
     batch b = {.options = &command->batch, .items = items};
@@ -236,14 +255,18 @@ static tl_status run(batch_command *command, const tl_item_list *items, tl_error
     begin(&b);
     if (command->batch.in_flight == 0)
         command->batch.in_flight = batch_usual_in_flight();
-    TRY(prepare(&b, &command->batch, err));
+    TRY(prepare_records(&b, command, err));
+    if (command->batch.dry_run) {
+        TRY(batch_plan(&b, &command->report, err));
+        goto done;
+    }
+    TRY(prepare(&b, &command->batch.frame.lighting, err));
     b.tally.of[BATCH_LEFT] = items->count;
     console_stage(NULL);
     console_lend(&b.notices.taken);
     interrupts_listen();
     TRY(batch_run(&b, &progress, err));
     TRY(batch_report(&b, &progress, &command->report, err));
-    TRY(status_of(&b, err));
 done:
     console_lend(NULL);
     end(&b);
@@ -252,7 +275,8 @@ done:
 
 int command_batch(int argc, char **argv)
 {
-    batch_command command = {.batch.frame = frame_options_default()};
+    batch_command command = {
+        .batch.frame = frame_options_default(), .argc = argc, .argv = argv};
     tl_item_list items = {.of = NULL};
     tl_error err;
     argp_parse(&argp, argc, argv, 0, NULL, &command);

@@ -9,7 +9,7 @@
 #include <stdint.h>
 
 /* Of a frame, in their order. X(name, word, meaning) */
-#define TL_BATCH_STAGES(X)                                                \
+#define TL_BATCH_STAGES(X)                                                 \
     X(BATCH_CHECK, "check", "what its outputs were made from is compared") \
     X(BATCH_READ, "read", "the capture and its lights are read")           \
     X(BATCH_WAIT, "wait", "until no other frame is being lit")             \
@@ -29,7 +29,7 @@ typedef struct batch_cost {
     double wall_s[BATCH_STAGE_COUNT]; /* of all frames together */
     /* the same, of the host's threads: what the driver's own take is the rest of what the process takes */
     double processor_s[BATCH_STAGE_COUNT];
-    tl_timings timings; /* finer, of all frames together */
+    tl_timings timings;         /* finer, of all frames together */
     uint64_t bytes, most_bytes; /* of frames under way: now, and at most */
     double start_s, start_processor_s, main_s;
 } batch_cost;

@@ -1,5 +1,6 @@
 #include "batch_item.h"
 
+#include "batch_record.h"
 #include "frame_steps.h"
 #include "job_light.h"
 #include "job_pictures.h"
@@ -38,8 +39,7 @@ static void name_outputs(const tl_item *item, picture_options *pictures)
 /* Of a G-buffer with its layers. */
 static uint64_t gbuffer_bytes(const tl_gbuffer *gbuffer)
 {
-    uint64_t bytes =
-        (uint64_t)tl_gbuffer_pixel_size(gbuffer) * gbuffer->pitch * gbuffer->rows;
+    uint64_t bytes = (uint64_t)tl_gbuffer_pixel_size(gbuffer) * gbuffer->pitch * gbuffer->rows;
     for (uint32_t i = 0; i < gbuffer->layers.count; i++)
         bytes += gbuffer_bytes(gbuffer->layers.of[i]);
     return bytes;
@@ -92,13 +92,14 @@ static uint64_t leave_gbuffer(batch *b, job *j, uint64_t bytes)
     return left;
 }
 
-static tl_status make(batch *b, const tl_item *item, job *j, tl_error *err)
+static tl_status make(batch *b, const tl_item *item, const char *record, job *j, tl_error *err)
 {
     frame_options frame = b->options->frame;
     batch_clock clock = batch_clock_now();
     uint64_t bytes = 0;
     tl_status status = TL_OK;
     name_outputs(item, &frame.pictures);
+    frame.pictures.record = record;
     status = read_frame(b, item, &frame, j, err);
     clock = batch_cost_end_stage(&b->cost, BATCH_READ, clock);
     TRY(status);
@@ -115,10 +116,18 @@ done:
 
 tl_status batch_item_make(batch *b, const tl_item *item, batch_outcome *outcome, tl_error *err)
 {
+    const batch_clock clock = batch_clock_now();
+    const char *output;
+    char record[TL_RECORD_SIZE];
     job j = {0};
-    const tl_status status = make(b, item, &j, err);
+    tl_status status = batch_record_of(b, item, record, err);
+    const bool stands =
+        status == TL_OK && batch_reason_of(b, item, record, &output) == BATCH_UP_TO_DATE_IS;
+    batch_cost_end_stage(&b->cost, BATCH_CHECK, clock);
+    if (status == TL_OK && !stands)
+        status = make(b, item, record, &j, err);
     batch_cost_add_timings(&b->cost, &j.timings);
     job_release(&j);
-    *outcome = BATCH_DONE;
+    *outcome = stands ? BATCH_UP_TO_DATE : BATCH_DONE;
     return status;
 }

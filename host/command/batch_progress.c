@@ -13,8 +13,7 @@ batch_progress batch_progress_begin(batch_progress_kind chosen)
 {
     batch_progress progress = {.kind = chosen, .start_s = tl_seconds()};
     if (chosen == BATCH_PROGRESS_AUTO)
-        progress.kind =
-            isatty(STDERR_FILENO) ? BATCH_PROGRESS_BAR : BATCH_PROGRESS_PLAIN;
+        progress.kind = isatty(STDERR_FILENO) ? BATCH_PROGRESS_BAR : BATCH_PROGRESS_PLAIN;
     progress.told_s = progress.start_s;
     return progress;
 }

@@ -13,7 +13,7 @@ typedef struct batch_queue {
     pthread_mutex_t lock;
     pthread_cond_t changed;
     size_t next, count;
-    size_t *back; /* [count], a ring of those that were put back; owned */
+    size_t *back;  /* [count], a ring of those that were put back; owned */
     double *due_s; /* [count], on tl_seconds' clock, when each of them may be taken; owned */
     size_t back_first, back_count;
     bool is_stopped;

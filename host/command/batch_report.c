@@ -2,6 +2,7 @@
 
 #include "console.h"
 #include "json_values.h"
+#include "try.h"
 
 #include <stdio.h>
 
@@ -29,17 +30,9 @@ static void format_sum(const batch *b, char *text, size_t size)
                                      parts[i].says);
 }
 
-static void tell(batch *b, const batch_progress *progress)
+static void tell(batch *b)
 {
-    char sum[256];
     batch_notices_tell(&b->notices);
-    format_sum(b, sum, sizeof sum);
-    if (b->tally.of[BATCH_FAILED] == 0) {
-        console_say(sum);
-        return;
-    }
-    batch_progress_fail(progress, sum);
-    console_complain(sum);
     for (size_t i = 0; i < b->items->count; i++)
         if (b->results[i].outcome == BATCH_FAILED && b->results[i].sentence)
             console_complain(b->results[i].sentence);
@@ -51,11 +44,10 @@ static json_t *failed_json(const batch *b)
     for (size_t i = 0; i < b->items->count; i++)
         if (b->results[i].outcome == BATCH_FAILED) {
             const batch_result *r = &b->results[i];
-            json_array_append_new(list,
-                                  json_pack("{ss ss si ss}", "name", b->items->of[i].name,
-                                            "input", b->items->of[i].input, "exit_status",
-                                            tl_exit_status(r->status), "sentence",
-                                            r->sentence ? r->sentence : ""));
+            json_array_append_new(list, json_pack("{ss ss si ss}", "name", b->items->of[i].name,
+                                                  "input", b->items->of[i].input, "exit_status",
+                                                  tl_exit_status(r->status), "sentence",
+                                                  r->sentence ? r->sentence : ""));
         }
     return list;
 }
@@ -83,15 +75,34 @@ static tl_status write_json(batch *b, tl_error *err)
     return tl_json_write("-", all, err);
 }
 
+/* Ends the batch in a word. */
+static tl_status judge(const batch *b, const batch_progress *progress, tl_error *err)
+{
+    const tl_error *stopped = &b->tally.stopped;
+    char sum[256];
+    format_sum(b, sum, sizeof sum);
+    if (b->tally.of[BATCH_FAILED] == 0) {
+        console_say(sum);
+        return TL_OK;
+    }
+    batch_progress_fail(progress, sum);
+    if (stopped->status != TL_OK)
+        return tl_fail(err, stopped->status, "%s; %s", stopped->message, sum);
+    return tl_fail(err, TL_ERR_DIFFERENT, "%s", sum);
+}
+
 tl_status batch_report(batch *b,
                        const batch_progress *progress,
                        const report_options *report,
                        tl_error *err)
 {
-    tell(b, progress);
+    tl_status status = TL_OK;
+    tell(b);
     if (report->json)
-        return write_json(b, err);
-    if (report->timings)
+        TRY(write_json(b, err));
+    else if (report->timings)
         batch_cost_print(&b->cost, b->tally.of[BATCH_DONE]);
-    return TL_OK;
+    status = judge(b, progress, err);
+done:
+    return status;
 }

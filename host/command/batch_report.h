@@ -7,7 +7,8 @@
 #include "report_options.h"
 
 /* On standard error: how many frames were lit, were up to date, failed or were left, and each that failed; with
- * `report`, the times, or all of it as JSON on standard output. Fails with TL_ERR_WRITE. */
+ * `report`, the times, or all of it as JSON on standard output. Fails with TL_ERR_DIFFERENT where
+ * a frame failed, what stopped the batch where something did, and TL_ERR_WRITE. */
 tl_status batch_report(batch *b,
                        const batch_progress *progress,
                        const report_options *report,

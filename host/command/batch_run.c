@@ -35,8 +35,8 @@ static void note_streak(batch *b, const tl_item *item, tl_status status, const t
     char key[sizeof tally->streak_key] = "";
     if (status != TL_OK && is_of_all(item, status, err))
         batch_sentence_key(err->message, item, key, sizeof key);
-    tally->streak = key[0] && strcmp(key, tally->streak_key) == 0 ? tally->streak + 1
-                                                                  : key[0] != '\0';
+    tally->streak =
+        key[0] && strcmp(key, tally->streak_key) == 0 ? tally->streak + 1 : key[0] != '\0';
     memcpy(tally->streak_key, key, sizeof key);
     if (tally->streak < MOST_ALIKE || tally->stopped.status != TL_OK)
         return;
@@ -100,7 +100,8 @@ static void *work(void *context)
 
 static void tell_interrupt(void)
 {
-    console_say("interrupted: the frames under way are finished; a second signal stops at once");
+    console_say(
+        "interrupted: the frames under way are finished; a second signal stops at once");
 }
 
 /* Until all workers are gone. */

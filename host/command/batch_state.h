@@ -9,6 +9,7 @@
 #include "item_list.h"
 #include "job.h"
 #include "lighter.h"
+#include "record.h"
 
 #include <pthread.h>
 
@@ -34,15 +35,16 @@ typedef struct batch_options {
     frame_options frame;
     tl_batch_request request; /* but for outputs and lights, which the frame has */
     bool force, dry_run;
-    uint32_t in_flight; /* workers, at most BATCH_MOST_WORKERS; 0: as many as suit the machine */
+    uint32_t
+        in_flight; /* workers, at most BATCH_MOST_WORKERS; 0: as many as suit the machine */
     batch_progress_kind progress;
 } batch_options;
 
 /* X(name, word) What became of an item. */
-#define TL_BATCH_OUTCOMES(X)               \
-    X(BATCH_LEFT, "left") /* not begun */  \
-    X(BATCH_DONE, "done")                  \
-    X(BATCH_UP_TO_DATE, "up_to_date")      \
+#define TL_BATCH_OUTCOMES(X)              \
+    X(BATCH_LEFT, "left") /* not begun */ \
+    X(BATCH_DONE, "done")                 \
+    X(BATCH_UP_TO_DATE, "up_to_date")     \
     X(BATCH_FAILED, "failed")
 
 typedef enum batch_outcome {
@@ -73,6 +75,8 @@ typedef struct batch_tally {
 typedef struct batch {
     const batch_options *options;
     const tl_item_list *items;
+    char *text; /* of the options that show in outputs; owned */
+    tl_record_cache *records;
     batch_result *results; /* [items->count], each its worker's until that is done */
     job common;            /* has the lights, where all frames have the same */
     lighter with;

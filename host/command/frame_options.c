@@ -7,7 +7,8 @@
 
 frame_options frame_options_default(void)
 {
-    return (frame_options){.lighting = lighting_choice_default(), .post = post_choice_default()};
+    return (frame_options){.lighting = lighting_choice_default(),
+                           .post = post_choice_default()};
 }
 
 void frame_options_release(frame_options *options)
@@ -27,7 +28,8 @@ static void check_together(const frame_options *options, struct argp_state *stat
         argp_error(state, "%s is kept by tilelight's own kernels: leave --kernel out",
                    options->promise.option);
     if (options->region.width > 0 && options->pictures.width > 0)
-        argp_error(state, "--region and --output-size exclude each other: a part is not scaled");
+        argp_error(state,
+                   "--region and --output-size exclude each other: a part is not scaled");
     promise_check_together(&options->promise, &options->lighting, &options->pictures, state);
 }
 

@@ -17,10 +17,7 @@ tl_status frame_read(job *j,
                      tl_error *err);
 
 /* Its picture, after all stages, and what screens show of it. told: as job_light. */
-tl_status frame_light(job *j,
-                      const frame_options *options,
-                      lighter *with,
-                      explained *told,
-                      tl_error *err);
+tl_status frame_light(
+    job *j, const frame_options *options, lighter *with, explained *told, tl_error *err);
 
 #endif

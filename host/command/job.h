@@ -26,15 +26,16 @@ typedef struct job_aovs {
 typedef struct job {
     tl_gbuffer *gbuffer;
     tl_light_set lights;
-    bool lights_given;  /* by a file or an option: they are kept, even where there are none */
-    bool lights_are_lent; /* by another job, as it would light by them: they stay, and stay its own */
+    bool lights_given; /* by a file or an option: they are kept, even where there are none */
+    bool
+        lights_are_lent; /* by another job, as it would light by them: they stay, and stay its own */
     bool lights_inside; /* the file of the G-buffer brought lights, even where there are none */
     bool has_look;      /* the capture asks for a look of its pictures */
     tl_look look;
     tl_repairs repairs;
     tl_image *image;
     void *codes; /* what PNGs hold: [height][width][3] of uint8_t or uint16_t; NULL: not made */
-    job_aovs aovs; /* what is written beside it in EXRs */
+    job_aovs aovs;       /* what is written beside it in EXRs */
     tl_post_counts post; /* what the stages after lighting came to */
     tl_timings timings;
     double start_s;          /* when the process began, on tl_seconds' clock */

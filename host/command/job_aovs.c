@@ -99,7 +99,7 @@ done:
 typedef struct grouping {
     job *j;
     tl_lighting *lighting; /* the lighter's */
-    uint8_t *lit; /* [lights] */
+    uint8_t *lit;          /* [lights] */
 } grouping;
 
 /* group: "" of the rest, which is more than lamps. */

@@ -10,9 +10,6 @@
  * of lights by themselves, as the choice asks for; where it asks for none, nothing. with: what
  * lit it. Fails as tl_lighting_run does, and with TL_ERR_ARGUMENT where two groups have one name in a
  * file. */
-tl_status job_take_aovs(job *j,
-                        const lighting_choice *choice,
-                        lighter *with,
-                        tl_error *err);
+tl_status job_take_aovs(job *j, const lighting_choice *choice, lighter *with, tl_error *err);
 
 #endif

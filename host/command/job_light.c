@@ -13,7 +13,10 @@ static const bool needs_device[TL_PRECISION_COUNT] = {
     [TL_PRECISION_DOUBLE] = true,
 };
 
-tl_status job_take_lights(job *j, const lighting_choice *choice, const char *path, tl_error *err)
+tl_status job_take_lights(job *j,
+                          const lighting_choice *choice,
+                          const char *path,
+                          tl_error *err)
 {
     tl_status status = TL_OK;
     TRY(job_read_lights(j, path, err));

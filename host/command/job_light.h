@@ -9,7 +9,10 @@
 #include "lighting_options.h"
 
 /* Reads a lights file, as the choice scales and switches them; path NULL: does nothing. */
-tl_status job_take_lights(job *j, const lighting_choice *choice, const char *path, tl_error *err);
+tl_status job_take_lights(job *j,
+                          const lighting_choice *choice,
+                          const char *path,
+                          tl_error *err);
 
 /* Opens the device that the choice needs. *device stays NULL for a precision without one; release with
  * tl_device_close. */

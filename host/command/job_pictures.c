@@ -64,8 +64,9 @@ typedef struct writing {
 
 static writing writing_of(const job *j, const picture_options *options)
 {
-    return (writing){
-        .j = j, .options = options, .look = picture_look(options, j->has_look ? &j->look : NULL)};
+    return (writing){.j = j,
+                     .options = options,
+                     .look = picture_look(options, j->has_look ? &j->look : NULL)};
 }
 
 static tl_status show_on_device(job *j,
@@ -85,21 +86,23 @@ done:
 
 static tl_status write_png(const writing *w, const char *path, tl_error *err)
 {
-    const tl_image *image = w->j->image;
-    if (w->options->depth == 16)
-        return tl_png_write_deep(path, w->j->codes, image->width, image->height, w->look.curve,
-                                 err);
-    return tl_png_write(path, w->j->codes, image->width, image->height, w->look.curve, err);
+    const tl_png_picture picture = {.codes = w->j->codes,
+                                    .width = w->j->image->width,
+                                    .height = w->j->image->height,
+                                    .depth = w->options->depth == 16 ? 16 : 8,
+                                    .curve = w->look.curve,
+                                    .record = w->options->record};
+    return tl_png_write_picture(path, &picture, err);
 }
 
 static tl_status write_exr(const writing *w, const char *path, tl_error *err)
 {
-    if (w->options->exr.half)
+    const job_aovs *aovs = &w->j->aovs;
+    tl_exr_form form = w->options->exr;
+    form.record = w->options->record;
+    if (form.half)
         tell_cut(w->j->image, path);
-    if (w->j->aovs.count == 0)
-        return tl_image_write_exr(path, w->j->image, w->options->exr, err);
-    return tl_image_write_layers(path, w->j->image, w->j->aovs.layers, w->j->aovs.count,
-                                 w->options->exr, err);
+    return tl_image_write_layers(path, w->j->image, aovs->layers, aovs->count, form, err);
 }
 
 static tl_status write_pfm(const writing *w, const char *path, tl_error *err)
@@ -194,7 +197,6 @@ tl_status job_show_pictures(job *j,
     tl_timings_end(&j->timings, "tone", start);
     return status;
 }
-
 
 tl_status job_write_pictures(job *j, const picture_options *options, tl_error *err)
 {

@@ -14,12 +14,13 @@ typedef struct picture_options {
     int kinds[MOST_OUTPUTS];
     int count;
     bool named_elsewhere; /* none has to be given */
-    bool automatic; /* exposure */
-    float exposure; /* stops */
+    bool automatic;       /* exposure */
+    float exposure;       /* stops */
     tl_look look;
     bool tone_given, curve_given; /* else what the capture asks for */
     uint32_t depth;               /* bits of a PNG's channels: 16; else 8 */
     tl_exr_form exr;
+    const char *record;     /* what outputs say that they were made from; NULL: nothing */
     uint32_t width, height; /* px; 0: as lit */
     tl_filter filter;
     bool filter_given;
@@ -27,8 +28,7 @@ typedef struct picture_options {
 
 /* Its input is a picture_options, all zero to begin with. At least one output is required, unless they
  * are named elsewhere. */
-extern const struct argp
-    picture_argp; /* -o, and how pictures are made of what was lit */
+extern const struct argp picture_argp; /* -o, and how pictures are made of what was lit */
 
 /* How PNGs are made: as the options say, else as the capture asks (NULL: asks for nothing), else ours. */
 tl_look picture_look(const picture_options *options, const tl_look *asked);

@@ -36,7 +36,8 @@ static void check_together(const render_options *options, struct argp_state *sta
         argp_error(state, "-o - and --json both want standard output");
     aov_check_together(&options->lighting, &options->pictures, state);
     if (options->region.width > 0 && options->pictures.width > 0)
-        argp_error(state, "--region and --output-size exclude each other: a part is not scaled");
+        argp_error(state,
+                   "--region and --output-size exclude each other: a part is not scaled");
     promise_check_together(&options->promise, &options->lighting, &options->pictures, state);
 }
 
@@ -130,8 +131,7 @@ static tl_status run(job *j, const render_options *options, lighter *with, tl_er
                   promise_goal(&options->promise, &options->pictures,
                                j->has_look ? &j->look : NULL, &goal),
                   with, explain_wanted(&options->explain) ? &told : NULL, err));
-    TRY(job_post(j, &options->post, &options->pictures, &options->lighting.options, with,
-                 err));
+    TRY(job_post(j, &options->post, &options->pictures, &options->lighting.options, with, err));
     TRY(job_crop_pictures(j, &options->region, err));
     TRY(job_show_pictures(j, &options->pictures, &options->lighting.options, with, err));
     lighter_let_go(with);
