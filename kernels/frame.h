@@ -15,8 +15,8 @@
  * (orthographic). Pixel centres are in x0, y0 already; dy is negative, row 0 being the top. */
 typedef struct tl_rays {
     float x0, dx, y0, dy;
-    float column0,
-        row0; /* of the picture, where planes are a part of it: add to columns and rows */
+    /* Of the picture, where planes are a part of it (tl_needs.window; else 0): add to columns, rows. */
+    float column0, row0;
     float unused[2];
 } tl_rays;
 

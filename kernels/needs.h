@@ -49,6 +49,7 @@ typedef struct tl_needs {
     tl_u32 surroundings; /* 1: what stands around pixels keeps ambient light from them */
     tl_u32 split;     /* terms that are written by themselves, bits 1 << tl_aov; 0: none is */
     tl_u32 sky_light; /* 0: the sky lights nothing */
+    tl_u32 window;    /* 1: the first pixel is not that of the picture: tl_rays.column0, row0 */
 } tl_needs;
 
 #ifdef __OPENCL_C_VERSION__
@@ -58,7 +59,7 @@ TL_INLINE tl_needs needs_of_build(void)
         TL_PRESENT,      TL_FALLOFFS_USED, TL_SPECULAR,       TL_ORTHOGRAPHIC, TL_LAYOUT,
         TL_MODEL,        TL_SPOTS,         TL_ONE_COLOR,      TL_AMBIENT,      TL_IDLE,
         TL_MODELS_USED,  TL_CHOICES,       TL_FIXED_EXPONENT, TL_SHAPES,       TL_SKY,
-        TL_SURROUNDINGS, TL_SPLIT,         TL_SKY_LIGHT};
+        TL_SURROUNDINGS, TL_SPLIT,         TL_SKY_LIGHT,      TL_WINDOW};
     return needs;
 }
 #endif

@@ -34,7 +34,8 @@
  *   sky            0, or how the sky is painted: needs.h
  *   surroundings   1: there is ambient light, and what stands around keeps it from pixels
  *   split          terms of the radiance that are written by themselves, bits 1 << term of aovs.h
- *   sky_light      0, or what surfaces have of the sky's light: bits of needs.h */
+ *   sky_light      0, or what surfaces have of the sky's light: bits of needs.h
+ *   window         1: planes are a part of a picture, and begin at tl_rays.column0, row0 */
 #define TL_KERNEL_OPTIONS(X)             \
     X(TL_WIDTH, width)                   \
     X(TL_BY_PIXEL, by_pixel)             \
@@ -58,7 +59,8 @@
     X(TL_SKY, sky)                       \
     X(TL_SURROUNDINGS, surroundings)     \
     X(TL_SPLIT, split)                   \
-    X(TL_SKY_LIGHT, sky_light)
+    X(TL_SKY_LIGHT, sky_light)           \
+    X(TL_WINDOW, window)
 
 #ifdef __OPENCL_C_VERSION__
 #    if !defined(TL_WIDTH) || !defined(TL_BY_PIXEL) || !defined(TL_REAL_DOUBLE) ||        \
@@ -69,7 +71,8 @@
         !defined(TL_CHOICES) || !defined(TL_FIXED_EXPONENT) || !defined(TL_TIMED) ||      \
         !defined(TL_SHAPES) || !defined(TL_SKY) || !defined(TL_SURROUNDINGS) ||           \
         !defined(TL_SKY_LIGHT) || !defined(TL_SPLIT) || !defined(TL_POWER) ||             \
-        !defined(TL_FORM) || !defined(TL_ROOT) || !defined(TL_ARITHMETIC)
+        !defined(TL_WINDOW) || !defined(TL_FORM) || !defined(TL_ROOT) ||                  \
+        !defined(TL_ARITHMETIC)
 #        error "build the kernels through tl_program_build(), which passes every option"
 #    endif
 #    if TL_BY_PIXEL && TL_WIDTH != 1

@@ -6,13 +6,29 @@
 #include "needs.h"
 #include "vec3.h"
 
+/* Where the ray of a column or row of these planes crosses the plane 1 m away, or of parallel rays every one.
+ * Planes that are a part of a picture add where that begins, which is exact: whole numbers below 2^15. */
+TL_INLINE real ray_across(tl_rays rays, tl_needs needs, real column)
+{
+    if (needs.window)
+        column = column + rays.column0;
+    return FMA(column, rays.dx, rays.x0);
+}
+
+TL_INLINE real ray_down(tl_rays rays, tl_needs needs, real row)
+{
+    if (needs.window)
+        row = row + rays.row0;
+    return FMA(row, rays.dy, rays.y0);
+}
+
 /* The view-space position of pixel (column, row) at `depth`; shading and culling must use the same
  * bits. One rounding for the ray, one for the product: x/depth is off the exact ray by at most
  * 2u|ray|, beside what rounding x0 and dx to float leaves (reach.h needs that bound). */
 TL_INLINE vec3 view_position(tl_rays rays, tl_needs needs, real column, real row, real depth)
 {
-    const real ray_x = FMA(column + rays.column0, rays.dx, rays.x0);
-    const real ray_y = FMA(row + rays.row0, rays.dy, rays.y0);
+    const real ray_x = ray_across(rays, needs, column);
+    const real ray_y = ray_down(rays, needs, row);
     if (needs.orthographic) {
         const vec3 parallel = {ray_x, ray_y, -depth};
         return parallel;

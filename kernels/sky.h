@@ -8,7 +8,7 @@
 #ifndef TL_SKY_H
 #define TL_SKY_H
 
-#include "needs.h"
+#include "position.h"
 #include "texture.h"
 
 /* The direction in which a pixel is seen, in view space, of any length. */
@@ -16,8 +16,8 @@ TL_INLINE vec3 ray_direction(tl_rays rays, tl_needs needs, real column, real row
 {
     vec3 ray = {(real)R(0.0), (real)R(0.0), (real)R(-1.0)};
     if (!needs.orthographic) {
-        ray.x = FMA(column + rays.column0, rays.dx, rays.x0);
-        ray.y = FMA(row + rays.row0, rays.dy, rays.y0);
+        ray.x = ray_across(rays, needs, column);
+        ray.y = ray_down(rays, needs, row);
     }
     return ray;
 }

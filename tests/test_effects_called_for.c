@@ -46,6 +46,7 @@ typedef struct scene {
     float row_specular;
     int is_dark; /* tl_gbuffer.is_dark */
     tl_projection projection;
+    uint32_t window[2], whole[2]; /* of the camera */
     uint32_t layers;
     int without_layers; /* though it has some */
     enum tl_layout_name layout;
@@ -53,7 +54,7 @@ typedef struct scene {
     uint64_t effects; /* expected: all of them */
     struct {
         tl_u32 falloffs, spots, specular, ambient, orthographic, one_color, idle,
-            fixed_exponent, shapes, sky, surroundings, sky_light;
+            fixed_exponent, shapes, sky, surroundings, sky_light, window;
     } needs;                                         /* expected */
     uint32_t light_count, idle[TL_IDLE_LIGHT_COUNT]; /* expected */
 } scene;
@@ -190,12 +191,18 @@ static const scene minimal[TL_EFFECT_COUNT] = {
                                 .effects = ON(TRANSLUCENCY)},
     [TL_EFFECT_PARALLEL] = {"parallel rays", TL_GROUP_BASE, .projection = TL_ORTHOGRAPHIC,
                             .effects = ON(PARALLEL), .needs = {.orthographic = 1}},
+    [TL_EFFECT_WINDOW] = {"a part that begins inside", TL_GROUP_BASE, .window = {2, 0},
+                          .whole = {64, 48}, .effects = ON(WINDOW), .needs = {.window = 1}},
 };
 
 /* What might be taken for a cause, and is none. */
 static const scene others[] = {
     {"a layer that is not lit", TL_GROUP_BASE, .layers = 1, .without_layers = 1},
     {"nothing at all", TL_GROUP_BASE, .effects = 0},
+    {"a part that begins below", TL_GROUP_BASE, .window = {0, 8}, .whole = {64, 48},
+     .effects = ON(WINDOW), .needs = {.window = 1}},
+    {"a part that begins where the picture does", TL_GROUP_BASE, .whole = {64, 48},
+     .effects = 0},
     {"a radius without ambient light", TL_GROUP_BASE, .radius = 0.5f, .effects = 0},
     {"a sky that would light, and is black", TL_GROUP_BASE, .sky_light = 1.0f, .effects = 0},
     {"a sky that lights what reflects nothing", TL_GROUP_BASE, .is_dark = 1, .sky = 0.5f,
@@ -408,6 +415,10 @@ static tl_prepared prepared_of(const scene *s)
     tl_gbuffer *g = NULL;
     tl_error err;
     camera.projection = s->projection;
+    camera.window_x = s->window[0];
+    camera.window_y = s->window[1];
+    camera.whole_width = s->whole[0];
+    camera.whole_height = s->whole[1];
     ASSERT_OK(tl_gbuffer_create_packed(&camera, s->layout, s->present, &g, &err), err);
     for (uint32_t i = 0; i < s->layers; i++)
         ASSERT_OK(tl_layers_add(g, NULL, &err), err);
@@ -474,16 +485,17 @@ static void expect(const scene *s)
                             .shapes = s->needs.shapes,
                             .sky = s->needs.sky,
                             .surroundings = s->needs.surroundings,
-                            .sky_light = s->needs.sky_light};
+                            .sky_light = s->needs.sky_light,
+                            .window = s->needs.window};
     expect_effects(s, p.explanation.effects);
     if (memcmp(&p.needs, &needs, sizeof needs) != 0)
         fail_msg(
             "%s: kernels are built for something else: falloffs %x, spots %u, specular %u, "
             "ambient %u, orthographic %u, one_color %u, idle %x, shapes %x, sky %u, "
-            "surroundings %u, sky_light %u",
+            "surroundings %u, sky_light %u, window %u",
             s->name, p.needs.falloffs, p.needs.spots, p.needs.specular, p.needs.ambient,
             p.needs.orthographic, p.needs.one_color, p.needs.idle, p.needs.shapes, p.needs.sky,
-            p.needs.surroundings, p.needs.sky_light);
+            p.needs.surroundings, p.needs.sky_light, p.needs.window);
     if (p.frame.light_count != s->light_count)
         fail_msg("%s: %u lights", s->name, p.frame.light_count);
     for (int i = 0; i < TL_IDLE_LIGHT_COUNT; i++)

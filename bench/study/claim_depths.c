@@ -7,10 +7,10 @@
 #include <math.h>
 
 const tl_position_operations tl_position_operations_of[TL_POSITION_OPERATION_ROWS] = {
-    {"forward", {1, 0, 1, 1}, {3, 2, 3, 1}},
-    {"ndc", {0, 0, 2, 1}, {2, 2, 4, 1}},
-    {"reversed", {0, 0, 1, 1}, {2, 2, 3, 1}},
-    {"metres", {0, 0, 0, 0}, {2, 2, 2, 0}},
+    {"forward", {1, 0, 1, 1}, {1, 2, 3, 1}},
+    {"ndc", {0, 0, 2, 1}, {0, 2, 4, 1}},
+    {"reversed", {0, 0, 1, 1}, {0, 2, 3, 1}},
+    {"metres", {0, 0, 0, 0}, {0, 2, 2, 0}},
 };
 
 /* Looking along -z from the origin, a right angle wide. */

@@ -59,6 +59,7 @@ static const char *const bound_by[TL_EFFECT_COUNT] = {
     [TL_EFFECT_SKY] = "black is a colour too",
     [TL_EFFECT_TRANSLUCENCY] = "its layers are frames of their own; --layers lights fewer",
     [TL_EFFECT_PARALLEL] = "other rays would stand in for it",
+    [TL_EFFECT_WINDOW] = "rays of another part would stand in for its own",
 };
 
 const char *tl_effect_bound(tl_effect effect)

@@ -93,6 +93,8 @@ tl_explanation tl_causes_of_frame(const tl_gbuffer *gbuffer,
     e.causes |= causes_of_rows(table);
     if (gbuffer->camera.projection == TL_ORTHOGRAPHIC)
         e.causes |= TL_BY(TL_CAUSE_PARALLEL);
+    if (tl_camera_is_moved(&gbuffer->camera))
+        e.causes |= TL_BY(TL_CAUSE_WINDOW);
     return e;
 }
 
@@ -262,6 +264,7 @@ void tl_needs_by_causes(tl_explanation *e, tl_needs *needs)
     e->idle = idle_planes(e);
     needs->idle = e->idle;
     needs->orthographic = (tl_u32)is_on(e, TL_EFFECT_PARALLEL);
+    needs->window = (tl_u32)is_on(e, TL_EFFECT_WINDOW);
     needs->specular = (tl_u32)is_on(e, TL_EFFECT_SPECULAR);
     needs->spots = (tl_u32)is_on(e, TL_EFFECT_SPOTS);
     needs->one_color = (tl_u32)is_on(e, TL_EFFECT_ONE_COLOR);

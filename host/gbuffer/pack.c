@@ -29,6 +29,7 @@ tl_packing tl_packing_of(const tl_camera *camera,
                         .frame = frame,
                         .needs = {.present = present,
                                   .orthographic = camera->projection == TL_ORTHOGRAPHIC,
+                                  .window = (tl_u32)tl_camera_is_moved(camera),
                                   .layout = layout},
                         .near = (double)camera->near,
                         .far = (double)camera->far};

@@ -51,6 +51,7 @@ tl_unpacking tl_unpacking_of(const tl_gbuffer *from)
                          .words = tl_word_planes_of(from),
                          .needs = {.present = from->present,
                                    .orthographic = from->camera.projection == TL_ORTHOGRAPHIC,
+                                   .window = (tl_u32)tl_camera_is_moved(&from->camera),
                                    .layout = from->layout}};
     tl_view_set(&from->camera, from->layout, &made.frame);
     return made;

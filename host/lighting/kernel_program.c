@@ -283,7 +283,8 @@ static tl_kernel_options options_to_occlude(const tl_kernel_options *o)
                                .orthographic = o->orthographic,
                                .layout = o->layout,
                                .present = o->present,
-                               .surroundings = o->surroundings};
+                               .surroundings = o->surroundings,
+                               .window = o->window};
 }
 
 static tl_kernel_options options_of(tl_program_part part, const tl_kernel_options *o)
@@ -303,7 +304,8 @@ static tl_kernel_options options_of(tl_program_part part, const tl_kernel_option
                                .orthographic = o->orthographic,
                                .layout = o->layout,
                                .present = present_to_cull(o->layout, o->present),
-                               .spots = o->spots};
+                               .spots = o->spots,
+                               .window = o->window};
 }
 
 tl_status tl_program_find(tl_device *device,

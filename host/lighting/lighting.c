@@ -223,7 +223,8 @@ tl_kernel_options tl_lighting_kernels(const tl_lighting *lighting, const tl_need
                                .sky = needs->sky,
                                .surroundings = needs->surroundings,
                                .split = needs->split,
-                               .sky_light = needs->sky_light};
+                               .sky_light = needs->sky_light,
+                               .window = needs->window};
 }
 
 static void keep_programs(const tl_device *device,

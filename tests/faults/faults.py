@@ -592,7 +592,10 @@ FAULTS = [
           "test_file_image_exr", []),
     # Regions.
     Fault("region-ray", "columns of a part begin where those of the picture do", "kernels/position.h",
-          "FMA(column + rays.column0, rays.dx, rays.x0)", "FMA(column, rays.dx, rays.x0)", "test_command_region", []),
+          "column = column + rays.column0;", ";", "test_command_region", []),
+    Fault("region-lists", "lights of a part are listed by rays of the picture's first pixels",
+          "host/lighting/kernel_program.c", ".spots = o->spots,\n                               .window = o->window};",
+          ".spots = o->spots};", "test_command_region", []),
     Fault("region-rectangle", "rectangles of lights begin where the picture does", "kernels/tile_rect.h",
           "(x.low - w.margin_x - w.left) / w.width - column0;", "(x.low - w.margin_x - w.left) / w.width;",
           "test_command_region", []),

@@ -42,6 +42,12 @@ static inline uint32_t tl_camera_whole_height(const tl_camera *camera)
     return camera->whole_height ? camera->whole_height : camera->height;
 }
 
+/* Whether its upper left pixel is another one than the picture's. */
+static inline int tl_camera_is_moved(const tl_camera *camera)
+{
+    return camera->window_x != 0 || camera->window_y != 0;
+}
+
 /* Fails with TL_ERR_ARGUMENT, saying which field is outside the ranges above, for a value that is
  * not finite, and for a view_from_world whose rows are not orthonormal to 1e-3. */
 tl_status tl_camera_check(const tl_camera *camera, tl_error *err);

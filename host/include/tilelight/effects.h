@@ -62,6 +62,7 @@ typedef enum tl_cause_kind {
     X(TL_CAUSE_ONE_COLOR, TL_CAUSE_OF_FRAME,                                               \
       "model that tints grey highlights, and lights of one colour each")                   \
     X(TL_CAUSE_PARALLEL, TL_CAUSE_OF_FRAME, "orthographic camera")                         \
+    X(TL_CAUSE_WINDOW, TL_CAUSE_OF_FRAME, "part that begins inside the picture")           \
     X(TL_CAUSE_BLENDED, TL_CAUSE_OF_FRAME, "blended surface in a layer")
 
 typedef enum tl_cause {
@@ -152,7 +153,9 @@ typedef char tl_causes_fit[TL_CAUSE_COUNT <= 64 ? 1 : -1];
       "layers that blend, each lit as the surfaces behind them are", TL_BY(TL_CAUSE_BLENDED),  \
       0, "blend_layer")                                                                        \
     X(TL_EFFECT_PARALLEL, "orthographic", "parallel rays", TL_BY(TL_CAUSE_PARALLEL), 0,        \
-      "TL_ORTHOGRAPHIC")
+      "TL_ORTHOGRAPHIC")                                                                       \
+    X(TL_EFFECT_WINDOW, "region", "rays from where a part of the picture begins",              \
+      TL_BY(TL_CAUSE_WINDOW), 0, "TL_WINDOW")
 
 typedef enum tl_effect {
 #define TL_EFFECT_NAME(name, word, computes, causes, planes, option) name,
