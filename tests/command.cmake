@@ -36,7 +36,7 @@ tl_test(test_command_sky command tl_base)
 tl_test(test_command_layouts command tl_gbuffer PkgConfig::JANSSON)
 tl_test(test_command_import command tl_files OpenEXRCore-3_1 PkgConfig::JANSSON)
 target_include_directories(test_command_import SYSTEM PRIVATE ${OPENEXR_INCLUDE_DIRS})
-foreach(name batch explain import promise usage samples frames convert ispc failures cache scene materials layers aov links layouts post sky)
+foreach(name batch region light_control explain import promise usage samples frames convert ispc failures cache scene materials layers aov links layouts post sky)
     add_dependencies(test_command_${name} tilelight)
 endforeach()
 
