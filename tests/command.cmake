@@ -14,6 +14,8 @@ tl_test(test_shadow_rays raster tl_rays tl_reference tl_files PkgConfig::JANSSON
 tl_test(test_shadow_plan raster tl_raster)
 tl_test(test_shadow_lit device tl_raster tl_lighting tl_files)
 
+tl_test(test_command_farm command tl_base)
+add_dependencies(test_command_farm tilelight)
 tl_test(test_command_usage command tl_base)
 tl_test(test_command_batch command tl_base PkgConfig::JANSSON)
 tl_test(test_command_frames command tl_files PkgConfig::JANSSON)

@@ -14,6 +14,7 @@ typedef struct tl_farm_scheduler {
     const char *name, *summary;
     unsigned takes; /* of the above */
     bool submits;   /* by tilelight itself */
+    bool progress;  /* is told it by workers, on their standard output */
     /* Writes the plan. Fails with TL_ERR_ARGUMENT, saying what, for a plan that the scheduler cannot be told,
      * before anything is written; TL_ERR_MEMORY. Whether `out` took it is the caller's to ask. */
     tl_status (*print)(const tl_farm_plan *plan, FILE *out, tl_error *err);

@@ -1,5 +1,7 @@
 /* tilelight batch: many captures to pictures. */
 #define _POSIX_C_SOURCE 200809L
+#include "batch_options.h"
+
 #include "batch_item.h"
 #include "batch_plan.h"
 #include "batch_record.h"
@@ -17,15 +19,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-typedef struct batch_command {
-    batch_options batch;
-    report_options report;
-    int argc;
-    char **argv;
-    const char **inputs; /* [input_count], owned */
-    size_t input_count;
-} batch_command;
 
 enum {
     OPTION_FRAMES = 256,
@@ -140,7 +133,7 @@ static const struct argp_child children[] = {
     {0},
 };
 
-static const struct argp argp = {
+const struct argp batch_argp = {
     .options = options_table,
     .parser = parse,
     .args_doc = "IN...",
@@ -162,7 +155,7 @@ static tl_status check_files(const frame_options *frame, tl_error *err)
     return TL_OK;
 }
 
-static tl_status list_items(const batch_command *command, tl_item_list *items, tl_error *err)
+tl_status batch_list_items(const batch_command *command, tl_item_list *items, tl_error *err)
 {
     tl_batch_request request = command->batch.request;
     tl_status status = TL_OK;
@@ -194,7 +187,7 @@ static tl_status prepare_records(batch *b, batch_command *command, tl_error *err
     frame_options *frame = &command->batch.frame;
     tl_status status = TL_OK;
     TRY(kernel_choice_read(&frame->kernel, &frame->lighting.options.kernel, err));
-    TRY(batch_options_text(&argp, command->argc, command->argv, frame, &b->text, err));
+    TRY(batch_options_text(&batch_argp, command->argc, command->argv, frame, &b->text, err));
     TRY(tl_record_cache_create(&b->records, err));
 done:
     return status;
@@ -273,19 +266,30 @@ done:
     return status;
 }
 
+batch_command batch_command_default(void)
+{
+    return (batch_command){.batch.frame = frame_options_default()};
+}
+
+void batch_command_release(batch_command *command)
+{
+    frame_options_release(&command->batch.frame);
+    free(command->inputs);
+}
+
 int command_batch(int argc, char **argv)
 {
-    batch_command command = {
-        .batch.frame = frame_options_default(), .argc = argc, .argv = argv};
+    batch_command command = batch_command_default();
+    command.argc = argc;
+    command.argv = argv;
     tl_item_list items = {.of = NULL};
     tl_error err;
-    argp_parse(&argp, argc, argv, 0, NULL, &command);
-    tl_status status = list_items(&command, &items, &err);
+    argp_parse(&batch_argp, argc, argv, 0, NULL, &command);
+    tl_status status = batch_list_items(&command, &items, &err);
     if (status == TL_OK)
         status = run(&command, &items, &err);
     tl_items_clear(&items);
-    frame_options_release(&command.batch.frame);
-    free(command.inputs);
+    batch_command_release(&command);
     const int exit_status = console_finish(status, &err);
     return interrupts_seen() ? 128 + interrupts_seen() : exit_status;
 }

@@ -8,6 +8,7 @@ int command_render(int argc, char **argv);
 int command_capture(int argc, char **argv);
 int command_light(int argc, char **argv);
 int command_batch(int argc, char **argv);
+int command_farm(int argc, char **argv);
 int command_check(int argc, char **argv);
 int command_convert(int argc, char **argv);
 int command_scatter(int argc, char **argv);

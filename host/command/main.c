@@ -44,6 +44,8 @@ static const struct {
      "-DTILELIGHT_LIGHTING=ON"},
     {"batch", "G.####.exr -o OUT", "light many G-buffers", LIGHTING(command_batch),
      "-DTILELIGHT_LIGHTING=ON"},
+    {"farm", "SCHEDULER IN...", "a batch as a job of Slurm, Open Job Description, GNU parallel",
+     LIGHTING(command_farm), "-DTILELIGHT_LIGHTING=ON"},
     {"check", "[--kernel FILE.cl]",
      "hold a shading kernel, yours or ours, against the reference", LIGHTING(command_check),
      "-DTILELIGHT_LIGHTING=ON"},
