@@ -24,23 +24,6 @@ foreach(name kernel_plain kernel_with_headers kernel_faulty_fails kernel_faulty_
     set_tests_properties(${name} PROPERTIES SKIP_REGULAR_EXPRESSION "no OpenCL device found")
 endforeach()
 
-if(TARGET tl_library)
-    add_test(NAME library_installed
-             COMMAND ${CMAKE_COMMAND} -DBUILD=${CMAKE_BINARY_DIR} -DCC=${CMAKE_C_COMPILER}
-                     -DGBUFFER=${CMAKE_CURRENT_SOURCE_DIR}/golden/hall.gbuffer.exr
-                     -DLIBDIR=${CMAKE_INSTALL_LIBDIR} -DSCRATCH=${CMAKE_BINARY_DIR}/scratch/library
-                     -P ${CMAKE_CURRENT_SOURCE_DIR}/outside/library.cmake)
-    tl_test_properties(library_installed device)
-    set_tests_properties(library_installed PROPERTIES SKIP_REGULAR_EXPRESSION "no OpenCL device found")
-
-    find_package(Python3 REQUIRED COMPONENTS Interpreter)
-    add_test(NAME public_headers
-             COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/outside/public_headers.py
-                     ${CMAKE_BINARY_DIR} ${CMAKE_C_COMPILER} ${CMAKE_CXX_COMPILER} $<TARGET_FILE:tl_library>
-                     ${CMAKE_BINARY_DIR}/scratch/headers)
-    tl_test_properties(public_headers unit)
-endif()
-
 tl_test(test_kernel_page device tl_frame)
 tl_test(test_command_check device tl_base)
 add_dependencies(test_kernel_page tilelight)

@@ -86,14 +86,28 @@ static void print_exit_statuses(void)
     }
 }
 
+/* Columns as wide as what stands in them, two blanks apart: the list is read by programs too
+ * (packaging/read-help). */
+static void print_commands(void)
+{
+    size_t names = 0, arguments = 0;
+    for (size_t i = 0; i < COMMAND_COUNT; i++) {
+        const size_t name = strlen(commands[i].name), argument = strlen(commands[i].arguments);
+        names = name > names ? name : names;
+        arguments = argument > arguments ? argument : arguments;
+    }
+    for (size_t i = 0; i < COMMAND_COUNT; i++)
+        printf("  %-*s  %-*s  %s%s\n", (int)names, commands[i].name, (int)arguments,
+               commands[i].arguments, commands[i].summary,
+               commands[i].run ? "" : " (not in this build)");
+}
+
 static void print_help(void)
 {
     puts("Usage: tilelight COMMAND [OPTION...]\n"
          "Captures glTF scenes into G-buffers and lights them with OpenCL.\n\n"
          "Commands, in the order of the data flow:");
-    for (size_t i = 0; i < COMMAND_COUNT; i++)
-        printf("  %-8s %-18s %s%s\n", commands[i].name, commands[i].arguments,
-               commands[i].summary, commands[i].run ? "" : " (not in this build)");
+    print_commands();
     puts("\n`tilelight COMMAND --help' lists the options of a command, `tilelight --version' "
          "the\n"
          "version. In the environment, TILELIGHT_THREADS limits the threads of the host, and\n"
