@@ -3,6 +3,12 @@ find_package(Python3 REQUIRED COMPONENTS Interpreter)
 set(outside ${CMAKE_CURRENT_SOURCE_DIR}/outside)
 set(scratch ${CMAKE_BINARY_DIR}/scratch)
 
+# Whoever builds but the program and a test has what is installed beside them built for these.
+add_test(NAME installed_is_built
+         COMMAND ${CMAKE_COMMAND} --build ${CMAKE_BINARY_DIR} --target tilelight tl_help_files
+                 $<TARGET_NAME_IF_EXISTS:tl_library>)
+set_tests_properties(installed_is_built PROPERTIES FIXTURES_SETUP installed LABELS unit)
+
 add_test(NAME help_files
          COMMAND ${Python3_EXECUTABLE} ${outside}/help_files.py $<TARGET_FILE:tilelight> ${TILELIGHT_HELP_FILES}
                  ${scratch}/help)
@@ -21,3 +27,9 @@ if(TILELIGHT_LIGHTING)
                      ${CMAKE_C_COMPILER} ${CMAKE_CXX_COMPILER} $<TARGET_FILE:tl_library> ${scratch}/headers)
     tl_test_properties(public_headers unit)
 endif()
+
+foreach(name help_files library_installed public_headers kernel_check_installed)
+    if(TEST ${name})
+        set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED installed)
+    endif()
+endforeach()
