@@ -60,6 +60,11 @@ add_test(NAME shadows_page_is_made
          COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/scripts/make-shadows-page --check)
 set_tests_properties(shadows_page_is_made PROPERTIES LABELS unit)
 
+# Is the table of the page on light of the sky that of the committed result?
+add_test(NAME sky_page_is_made
+         COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/scripts/make-sky-page --check)
+set_tests_properties(sky_page_is_made PROPERTIES LABELS unit)
+
 # Is the table of the page on translucency that of the committed result?
 add_test(NAME translucency_page_is_made
          COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/scripts/make-translucency-page --check)

@@ -204,6 +204,20 @@ static void starts_are_measured(void **state)
     json_decref(root);
 }
 
+/* Of no device. */
+static void skies_are_measured(void **state)
+{
+    (void)state;
+    expect_run("$T bench --sky --samples 1 --seconds 0 --json y.json", 0, "1024 x 512", "");
+    json_t *root = read_json("y.json");
+    json_t *skies = json_object_get(root, "skies");
+    assert_int_equal(json_array_size(skies), 5);
+    for (size_t i = 0; i < json_array_size(skies); i++)
+        assert_true(number_at(json_array_get(skies, i), "processor_ms.median") > 0.0);
+    json_decref(root);
+    expect_run("$T bench --sky --size 64x64", 2, "", "it takes no axis");
+}
+
 /* By the twin, which compiles nothing. */
 static void effects_are_measured(void **state)
 {
@@ -271,6 +285,7 @@ int main(void)
         cmocka_unit_test(slower_cases_are_found),
         cmocka_unit_test(ratios_have_their_keys),
         cmocka_unit_test(starts_are_measured),
+        cmocka_unit_test(skies_are_measured),
         cmocka_unit_test(effects_are_measured),
         cmocka_unit_test(standard_output_is_the_report_alone),
     };

@@ -20,6 +20,7 @@ enum {
     OPTION_GROWTH,
     OPTION_STARTUP,
     OPTION_EFFECTS,
+    OPTION_SKY,
     OPTION_LIST,
     OPTION_CSV,
     OPTION_JSON,
@@ -54,7 +55,11 @@ static void check_together(const bench_options *options, struct argp_state *stat
         (options->lists.of[TL_AXIS_LAYOUT] || options->lists.of[TL_AXIS_AGAINST]))
         argp_error(state, "--layout and --against are for cases: all else lights full float");
     if (options->kernel.file && options->mode != BENCH_KERNEL && options->mode != BENCH_LIST)
-        argp_error(state, "--kernel excludes --baselines, --effects, --growth and --startup");
+        argp_error(state,
+                   "--kernel excludes --baselines, --effects, --growth, --sky and --startup");
+    if (options->mode == BENCH_SKY &&
+        (options->lists_given || options->lists.of[TL_AXIS_DEVICE]))
+        argp_error(state, "--sky has rows of its own, and no device; it takes no axis");
     if (options->mode == BENCH_GROWTH && options->lists_given)
         argp_error(state,
                    "--growth has points of its own; of the axes it takes --device alone");
@@ -70,9 +75,8 @@ static void check_together(const bench_options *options, struct argp_state *stat
 static error_t choose_mode(bench_options *options, bench_mode mode, struct argp_state *state)
 {
     if (options->mode != BENCH_CASES && options->mode != mode)
-        argp_error(
-            state,
-            "--baselines, --effects, --growth, --startup and --list exclude one another");
+        argp_error(state, "--baselines, --effects, --growth, --sky, --startup and --list "
+                          "exclude one another");
     options->mode = mode;
     return 0;
 }
@@ -104,6 +108,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
     case OPTION_CAPTURE: options->capture = text; return 0;
     case OPTION_STARTUP: return choose_mode(options, BENCH_STARTUP, state);
     case OPTION_EFFECTS: return choose_mode(options, BENCH_EFFECTS, state);
+    case OPTION_SKY: return choose_mode(options, BENCH_SKY, state);
     case OPTION_GROWTH: return choose_mode(options, BENCH_GROWTH, state);
     case OPTION_QUICK: options->quick = true; return 0;
     case OPTION_LIST: return choose_mode(options, BENCH_LIST, state);
@@ -154,6 +159,8 @@ static const struct argp_option fixed_options[] = {
      "From 64 to 65536 lights and from 640x360 to 7680x4320 pixels: what a frame's time and "
      "memory grow with, as prices of a pixel, a pair, a light and a tile",
      1},
+    {"sky", OPTION_SKY, NULL, 0,
+     "Prepare skies as what lights surfaces: maps of several sizes, and a gradient", 1},
     {"startup", OPTION_STARTUP, NULL, 0,
      "Start the program on a small frame, with nothing compiled and with all compiled: how "
      "long until its first kernel begins",

@@ -15,6 +15,7 @@ typedef enum bench_mode {
     BENCH_GROWTH,
     BENCH_STARTUP,
     BENCH_EFFECTS,
+    BENCH_SKY,
     BENCH_KERNEL,
     BENCH_LIST
 } bench_mode;

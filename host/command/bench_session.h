@@ -39,6 +39,7 @@ tl_status bench_run_startup(bench_session *session, tl_error *err);
 tl_status bench_run_growth(bench_session *session, tl_error *err);
 tl_status bench_run_baselines(bench_session *session, tl_error *err);
 tl_status bench_run_effects(bench_session *session, tl_error *err);
+tl_status bench_run_sky(bench_session *session, tl_error *err);
 tl_status bench_run_kernel(bench_session *session, tl_error *err);
 
 #endif

@@ -2,6 +2,7 @@
 
 #include "sky_light.h"
 #include "sky_prefilter.h"
+#include "sky_tree.h"
 #include "try.h"
 
 #include <pthread.h>
@@ -125,18 +126,4 @@ void tl_sky_map_release(tl_sky_map *map)
     pthread_mutex_lock(&lock);
     release_locked((held_map *)(void *)map);
     pthread_mutex_unlock(&lock);
-}
-
-tl_status tl_sky_tree_of(const tl_light_set *set,
-                         unsigned depth,
-                         tl_sky_tree *out,
-                         tl_error *err)
-{
-    tl_sky_source source = {0};
-    tl_status status = TL_OK;
-    TRY(tl_sky_source_of(set, &source, err));
-    TRY(tl_sky_tree_make(&source, depth, out, err));
-done:
-    tl_sky_source_clear(&source);
-    return status;
 }

@@ -3,7 +3,6 @@
 #define TL_SKY_MAP_H
 
 #include "sky_moments.h"
-#include "sky_tree.h"
 
 /* Without the set's rotation, nor, of an image, its intensity. Axes are right, up and ahead. */
 typedef struct tl_sky_map {
@@ -25,12 +24,5 @@ tl_status tl_sky_map_of(const tl_light_set *set, tl_sky_map **out, tl_error *err
 
 /* Accepts NULL. */
 void tl_sky_map_release(tl_sky_map *map);
-
-/* The light of the set's sky, by direction, with `depth` levels: for integrals without a map of levels. As
- * tl_sky_tree_make. */
-tl_status tl_sky_tree_of(const tl_light_set *set,
-                         unsigned depth,
-                         tl_sky_tree *out,
-                         tl_error *err);
 
 #endif

@@ -10,6 +10,10 @@
 static const double texels_per_alpha = 2.0;
 enum { LEAST_SIZE = 32 };
 
+/* Of the width of a lobe at a piece of the sky, at most, its radius: there the logarithm of K still changes
+ * by less than its fourth power does. */
+static const double most_share = 0.4;
+
 double tl_sky_level_alpha(unsigned level)
 {
     const double r =
@@ -22,7 +26,7 @@ uint32_t tl_sky_level_size(unsigned level, uint32_t most)
 {
     const double wanted = texels_per_alpha * sqrt(16.0 * atan(1.0)) / tl_sky_level_alpha(level);
     uint32_t size = LEAST_SIZE;
-    while (size < most && (double)size < 0.95 * wanted)
+    while (size < most && (double)size < 0.9 * wanted)
         size *= 2;
     return size;
 }
@@ -42,51 +46,74 @@ double tl_sky_level_near(double alpha)
     return 0.2 * cbrt(tl_sky_level_alpha(0) / alpha);
 }
 
-static double chord2(const double a[3], const double b[3])
+static float chord2(const float a[3], const float b[3])
 {
-    double square = 0.0;
+    float square = 0.0f;
     for (int i = 0; i < 3; i++)
         square += (a[i] - b[i]) * (a[i] - b[i]);
     return square;
 }
 
+/* The mean of sqrt(apart^2 + 4 alpha^2) over a lobe is this times 2 alpha at most: K falls no slower than
+ * its fourth power, down to the horizon, where apart is sqrt(2). */
+static double mean_width(double alpha)
+{
+    const double least = 2.0 * alpha, most = sqrt(2.0 + least * least);
+    return 2.0 * most / (most + least);
+}
+
+static void cell_direction(double x, double y, uint32_t size, float out[3])
+{
+    double d[3];
+    tl_sky_cell_direction(x, y, size, d);
+    for (int k = 0; k < 3; k++)
+        out[k] = (float)d[k];
+}
+
 static void begin_tile(tl_sky_tile *t, double alpha, uint32_t x, uint32_t y, uint32_t size)
 {
-    *t = (tl_sky_tile){.alpha2 = alpha * alpha, .near = tl_sky_level_near(alpha)};
-    tl_sky_cell_direction(x + 0.5 * TL_SKY_SIDE, y + 0.5 * TL_SKY_SIDE, size, t->middle);
+    const double near = tl_sky_level_near(alpha);
+    const double steepness = near * near / (2.0 * alpha * mean_width(alpha));
+    *t = (tl_sky_tile){.alpha2 = (float)(alpha * alpha),
+                       .most_share2 = (float)(most_share * most_share),
+                       .steepness2 = (float)(steepness * steepness)};
+    cell_direction(x + 0.5 * TL_SKY_SIDE, y + 0.5 * TL_SKY_SIDE, size, t->middle);
     for (uint32_t i = 0; i < TL_SKY_TILE; i++) {
-        double d[3];
-        tl_sky_cell_direction(x + i % TL_SKY_SIDE + 0.5, y + i / TL_SKY_SIDE + 0.5, size, d);
+        float d[3];
+        cell_direction(x + i % TL_SKY_SIDE + 0.5, y + i / TL_SKY_SIDE + 0.5, size, d);
         for (int k = 0; k < 3; k++)
             t->toward[k][i] = d[k];
-        t->radius = fmax(t->radius, sqrt(chord2(t->middle, d)));
+        t->radius = fmaxf(t->radius, sqrtf(chord2(t->middle, d)));
     }
 }
 
 /* For the vectors that the processor has; the bits are the same. */
 static tl_sky_add_piece *piece_adder(void)
 {
-#ifdef TL_HAS_AVX2
+#ifdef TL_HAS_AVX
+    if (__builtin_cpu_supports("avx512f"))
+        return tl_sky_add_piece_avx512;
     if (__builtin_cpu_supports("avx2"))
         return tl_sky_add_piece_avx2;
 #endif
     return tl_sky_add_piece_portable;
 }
 
-/* Whether it is small enough for the texel that is nearest to it. */
-static int counts_as_a_whole(const tl_sky_tile *t, const tl_sky_node *node)
+/* Whether it is small enough for the texel that is nearest to it: with s^2 = apart^2 + 4 alpha^2 the width of
+ * K there, its radius is below near s sqrt(s / (2 alpha mean_width)), and below most_share s. */
+static int counts_as_a_whole(const tl_sky_tile *t, const tl_sky_node *node, float chord)
 {
-    const double apart = sqrt(chord2(t->middle, node->toward)) - t->radius;
-    const double apart2 = apart > 0.0 ? apart * apart : 0.0;
-    return node->radius * node->radius <= t->near * t->near * (apart2 + 4.0 * t->alpha2);
+    const float apart = chord - t->radius, radius2 = node->radius * node->radius;
+    const float width2 = (apart > 0.0f ? apart * apart : 0.0f) + 4.0f * t->alpha2;
+    return radius2 <= t->most_share2 * width2 &&
+           radius2 * radius2 <= t->steepness2 * width2 * width2 * width2;
 }
 
 /* Whether all of it is below the horizon of every texel, where K is 0: a cosine of 0 is a chord of
  * sqrt(2). */
-static int is_below(const tl_sky_tile *t, const tl_sky_node *node)
+static int is_below(const tl_sky_tile *t, const tl_sky_node *node, float chord)
 {
-    return sqrt(chord2(t->middle, node->toward)) - t->radius - node->radius >
-           1.4142135623730951;
+    return chord - t->radius - node->radius > 1.41422f;
 }
 
 static void filter(const tl_sky_tree *tree, tl_sky_tile *t)
@@ -101,9 +128,10 @@ static void filter(const tl_sky_tree *tree, tl_sky_tile *t)
         const unsigned level = waiting[--count].level;
         const size_t at = waiting[count].at;
         const tl_sky_node *node = &tree->nodes[level][at];
-        if (!(node->solid_angle > 0.0) || is_below(t, node))
+        const float chord = sqrtf(chord2(t->middle, node->toward));
+        if (!(node->solid_angle > 0.0f) || is_below(t, node, chord))
             continue;
-        if (level == tree->depth || counts_as_a_whole(t, node)) {
+        if (level == tree->depth || counts_as_a_whole(t, node, chord)) {
             add_piece(t, node);
             continue;
         }
@@ -139,7 +167,7 @@ static void filter_tile(const job *j, unsigned level, size_t index)
         float *to =
             texels[(size_t)(y + i / TL_SKY_SIDE + 1) * (size + 2) + x + i % TL_SKY_SIDE + 1];
         for (int c = 0; c < 3; c++)
-            to[c] = (float)(t.weight[i] > 0.0 ? t.sum[c][i] / t.weight[i] : 0.0);
+            to[c] = t.weight[i] > 0.0f ? t.sum[c][i] / t.weight[i] : 0.0f;
         to[3] = 0.0f;
     }
 }

@@ -6,10 +6,10 @@
 
 /* A piece of the sky: the texels, or parts of texels, that lie in a cell of an octahedral map. */
 typedef struct tl_sky_node {
-    double toward[3];   /* unit; where its light comes from on average (right, up, ahead) */
-    double radius;      /* chord from there within which the piece lies */
-    double solid_angle; /* sr, of what it is made of; 0: it is empty */
-    double radiance[3]; /* mean */
+    float toward[3];   /* unit; where its light comes from on average (right, up, ahead) */
+    float radius;      /* chord from there within which the piece lies */
+    float radiance[3]; /* mean */
+    float solid_angle; /* sr, of what it is made of; 0: it is empty */
 } tl_sky_node;
 
 /* Level 0 is the whole; node i of a level has nodes 4 i to 4 i + 3 of the next below it. */
@@ -19,8 +19,9 @@ typedef struct tl_sky_tree {
 } tl_sky_tree;
 
 /* 2^depth cells along a side of the finest level. Every texel is cut into parts that are smaller than its
- * cells, each with its exact solid angle: what the tree holds is all of the light. Release with
- * tl_sky_tree_clear. Fails with TL_ERR_MEMORY. */
+ * cells, each with its exact solid angle: what the tree holds is all of the light. Sums are in double, and
+ * what comes of them is rounded once for each level. Release with tl_sky_tree_clear. Fails with
+ * TL_ERR_MEMORY. */
 tl_status tl_sky_tree_make(const tl_sky_source *source,
                            unsigned depth,
                            tl_sky_tree *out,

@@ -45,6 +45,7 @@ static double turn_of(double nv, double sine, double nh, double across)
 static void add_lobe(double nv, double alpha, tl_split_sum *out)
 {
     const double alpha2 = alpha * alpha, sine = sqrt(1.0 - nv * nv);
+    const double eye_shadow = smith(alpha2, nv);
     for (int i = 0; i < HEIGHTS; i++) {
         const double t = (i + 0.5) / HEIGHTS;
         const double s = smooth(t), share = smooth(s);
@@ -52,15 +53,16 @@ static void add_lobe(double nv, double alpha, tl_split_sum *out)
         const double nh2 = (1.0 - share) / (1.0 + (alpha2 - 1.0) * share), nh = sqrt(nh2);
         const double across = sqrt(1.0 - nh2);
         const double most = turn_of(nv, sine, nh, across);
+        const double scale = 4.0 * most * density / (pi * TURNS * nh); /* of all around */
         for (int k = 0; k < TURNS; k++) {
             const double near = 1.0 - (k + 0.5) / TURNS;
             const double vh = nv * nh + sine * across * cos(most * (1.0 - near * near));
             const double nl = 2.0 * vh * nh - nv;
             if (!(nl > 0.0) || !(vh > 0.0))
                 continue;
-            const double shadowed = 0.5 / (nl * smith(alpha2, nv) + nv * smith(alpha2, nl));
+            const double shadows = nl * eye_shadow + nv * smith(alpha2, nl);
             const double reflected =
-                4.0 * shadowed * nl * vh / nh * density * 2.0 * near / TURNS * most / pi;
+                scale * near * nl * vh / shadows; /* V is half of 1 over them */
             out->base += reflected;
             out->grazing += reflected * fifth_power(1.0 - vh);
         }
@@ -68,38 +70,52 @@ static void add_lobe(double nv, double alpha, tl_split_sum *out)
 }
 
 /* n.l (1 - v.h)^5 / pi over l, with v.h = sqrt((1 + v.l)/2). */
-static void add_lost(double nv, tl_split_sum *out)
+static double lost_at(double nv)
 {
     const double sine = sqrt(1.0 - nv * nv);
+    double lost = 0.0;
     for (int i = 0; i < HEIGHTS; i++) {
         const double nl = sqrt((i + 0.5) / HEIGHTS), across = sqrt(1.0 - nl * nl);
         for (int k = 0; k < TURNS; k++) {
             const double vl = nv * nl + sine * across * cos(pi * (k + 0.5) / TURNS);
-            out->lost += fifth_power(1.0 - sqrt(fmax(0.0, 0.5 + 0.5 * vl))) / (HEIGHTS * TURNS);
+            lost += fifth_power(1.0 - sqrt(fmax(0.0, 0.5 + 0.5 * vl))) / (HEIGHTS * TURNS);
         }
     }
+    return lost;
+}
+
+/* Of what is seen from the side the integrals have a limit, which they are as good as at here. */
+static double above_zero(double n_dot_v)
+{
+    return fmax(n_dot_v, 1e-6);
 }
 
 tl_split_sum tl_split_sum_at(double n_dot_v, double alpha)
 {
-    tl_split_sum out = {0.0, 0.0, 0.0};
-    const double nv = fmax(n_dot_v, 1e-6);
+    const double nv = above_zero(n_dot_v);
+    tl_split_sum out = {.lost = lost_at(nv)};
     add_lobe(nv, alpha, &out);
-    add_lost(nv, &out);
     return out;
 }
 
 static float table[TL_SKY_TABLE * TL_SKY_TABLE][4];
 
+/* n.v of a column. */
+static double cosine_of(int column)
+{
+    const double x = (double)column / (TL_SKY_TABLE - 1);
+    return above_zero(x * x);
+}
+
 static void fill_rows(void *context, size_t begin, size_t end)
 {
-    (void)context;
+    const double *lost = context;
     for (size_t row = begin; row < end; row++)
         for (int column = 0; column < TL_SKY_TABLE; column++) {
-            const double x = (double)column / (TL_SKY_TABLE - 1);
             const double r = TL_SKY_LEAST_ROUGHNESS +
                              (1.0 - TL_SKY_LEAST_ROUGHNESS) * (double)row / (TL_SKY_TABLE - 1);
-            const tl_split_sum of = tl_split_sum_at(x * x, r * r);
+            tl_split_sum of = {.lost = lost[column]};
+            add_lobe(cosine_of(column), r * r, &of);
             float *to = table[row * TL_SKY_TABLE + (size_t)column];
             to[0] = (float)of.base;
             to[1] = (float)of.grazing;
@@ -109,7 +125,10 @@ static void fill_rows(void *context, size_t begin, size_t end)
 
 static void fill(void)
 {
-    tl_parallel(TL_SKY_TABLE, 1, fill_rows, NULL);
+    double lost[TL_SKY_TABLE]; /* of no roughness: one row's are all rows' */
+    for (int column = 0; column < TL_SKY_TABLE; column++)
+        lost[column] = lost_at(cosine_of(column));
+    tl_parallel(TL_SKY_TABLE, 1, fill_rows, lost);
 }
 
 const float (*tl_split_sum_table(void))[4]
