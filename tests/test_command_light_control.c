@@ -33,6 +33,10 @@ static int enter(void **state)
 /* Without a device: which lights there are is decided before. */
 #define LIT "$T light g.exr --precision reference --lights "
 
+#define RENDERED                                                                         \
+    "$T render $D/nine-lights.gltf --size 40x24 --precision reference --shadows --json " \
+    "--timings "
+
 static void lights_are_those_of_a_file_that_says_the_same(void **state)
 {
     (void)state;
@@ -64,6 +68,21 @@ static void lights_may_be_from_anywhere(void **state)
                2, "", "there is no light and no group \"nobody\"");
 }
 
+/* Of a scene's own lights; and each is scaled once, whoever scales it. */
+static void lights_that_are_off_have_no_shadow_maps(void **state)
+{
+    (void)state;
+    expect_run(RENDERED "--light 1=0.5 -o one.exr", 0, "\"shadows\":", "");
+    const program_run *const dark = expect_run(RENDERED "--light '*=off' -o x.exr", 0, "{", "");
+    assert_null(strstr(dark->out, "\"shadows\":"));
+    expect_run("$T capture $D/nine-lights.gltf --size 40x24 --shadows -o s.exr && "
+               "$T light s.exr --precision reference --light 1=0.5 -o r.exr && "
+               "$T compare r.exr one.exr --tolerance 0",
+               0, "", "");
+    expect_run(RENDERED "--light nobody=off -o x.exr", 2, "", "there is no light \"nobody\"");
+    expect_run(RENDERED "--scatter 4 --light 3=off -o x.exr", 0, "\"ranged\": 3", "");
+}
+
 static void mistakes_are_named(void **state)
 {
     static const char *const cases[][3] = {
@@ -89,6 +108,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lights_are_those_of_a_file_that_says_the_same),
         cmocka_unit_test(lights_may_be_from_anywhere),
+        cmocka_unit_test(lights_that_are_off_have_no_shadow_maps),
         cmocka_unit_test(mistakes_are_named),
     };
     return cmocka_run_group_tests(tests, enter, NULL);

@@ -29,6 +29,7 @@ typedef struct job {
     bool lights_given; /* by a file or an option: they are kept, even where there are none */
     bool
         lights_are_lent; /* by another job, as it would light by them: they stay, and stay its own */
+    bool lights_controlled; /* what is off or scaled of them is so already */
     bool lights_inside; /* the file of the G-buffer brought lights, even where there are none */
     bool has_look;      /* the capture asks for a look of its pictures */
     tl_look look;

@@ -55,7 +55,7 @@ tl_status job_prepare_light(job *j,
 
 tl_status job_control_lights(job *j, const lighting_choice *choice, tl_error *err)
 {
-    if (j->lights_given)
+    if (j->lights_given || j->lights_controlled)
         return TL_OK;
     return tl_light_set_control(&j->lights, choice->controls.of, choice->controls.count, err);
 }

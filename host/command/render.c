@@ -123,6 +123,10 @@ static tl_status run(job *j, const render_options *options, lighter *with, tl_er
     TRY(job_begin(j, &options->report, err));
     TRY(job_prepare_light(j, &options->lighting, &with->device, err));
     capture.materials |= j->lights.material_count > 0;
+    if (options->scatter_count == 0) { /* else they are of the lights that are scattered */
+        capture.controls = options->lighting.controls.of;
+        capture.control_count = options->lighting.controls.count;
+    }
     TRY(job_capture(j, options->scene, &capture, options->lighting.strict, err));
     TRY(scatter(j, options->scatter_count, err));
     TRY(job_cut_region(j, &options->region, &options->lighting, &options->post, with->device,
