@@ -170,17 +170,24 @@ static double level_most(const sky *s, unsigned level)
     return most;
 }
 
-/* Texels of a level against the integral. A piece of the sky is within `near` of the width of the weight
- * there, by which its logarithm changes by 4 near at most; of that the first order is gone, for it is taken
- * where its light comes from on average: half of the square, and as much of the sum of weights. Parts of a
- * texel are sharp to a fourth of the sharpest level's. */
+/* What a level's light is promised to be within, of its largest radiance: docs/sky-light.md. */
+static double level_bound(double alpha)
+{
+    const double near = 0.2 * cbrt(tl_sky_level_alpha(0) / alpha);
+    return 16.0 * near * near;
+}
+
+/* Texels of a level against the integral. A piece of the sky is within a share of the width of the weight
+ * there whose square is near^2 on average; by it the logarithm of the weight changes by 4 near at most. Of
+ * that the first order is gone, for it is taken where its light comes from on average: half of the square, and
+ * as much of the sum of weights. Parts of a texel are sharp to a fourth of the sharpest level's. */
 static void mirrored_skies_are_those_of_their_integral(void **state)
 {
     (void)state;
     for (int k = 0; k < SKY_COUNT; k++) {
         sky *s = sky_of(skies[k].shape);
         for (unsigned level = 2; level < 17; level += 7) {
-            const double alpha = tl_sky_level_alpha(level), near = tl_sky_level_near(alpha);
+            const double alpha = tl_sky_level_alpha(level);
             const uint32_t size = tl_sky_level_size(level, s->map->size);
             const tl_oracle_sky exact = {WIDTH, HEIGHT, level == 2 ? 8 : 4, s->values};
             const float(*texels)[4] =
@@ -191,7 +198,7 @@ static void mirrored_skies_are_those_of_their_integral(void **state)
                 tl_sky_cell_direction(x + 0.5, y + 0.5, size, d);
                 const double want = tl_oracle_sky_mirrored(&exact, d, alpha);
                 const double got = (double)texels[(y + 1) * (size + 2) + x + 1][0];
-                assert_float_near(got, want, 16.0 * near * near * level_most(s, level),
+                assert_float_near(got, want, level_bound(alpha) * level_most(s, level),
                                   skies[k].name);
             }
         }
