@@ -3,6 +3,7 @@
 #define _GNU_SOURCE
 #include "program.h"
 
+#include "exr_reader.h"
 #include "tilelight/image.h"
 
 static int enter(void **state)
@@ -16,6 +17,7 @@ static int enter(void **state)
     expect_run("$T capture $D/hard-cases.glb --camera above --size 150x90 -o parallel.exr "
                "--layout compact-16",
                0, "", "");
+    expect_run("$T capture $D/nine-lights.gltf --size 90x50 --ids -o ids.exr", 0, "", "");
     return 0;
 }
 
@@ -28,18 +30,43 @@ static tl_image *picture_in(const char *path)
     return image;
 }
 
-static void expect_part_of(
-    const char *what, const char *whole, const char *part, uint32_t x, uint32_t y)
+static void expect_pixels_of(
+    const char *what, const tl_image *all, const tl_image *some, uint32_t x, uint32_t y)
 {
-    tl_image *const all = picture_in(whole), *const some = picture_in(part);
     for (unsigned c = 0; c < 3; c++)
         for (uint32_t row = 0; row < some->height; row++)
             if (memcmp(tl_image_plane(all, c) + (size_t)(y + row) * all->pitch + x,
                        tl_image_plane(some, c) + (size_t)row * some->pitch,
                        some->width * sizeof(float)) != 0)
-                fail_msg("%s: %s has other bits in row %u of channel %u", what, part, row, c);
+                fail_msg("%s: the part has other bits in row %u of channel %u", what, row, c);
+}
+
+static void expect_part_of(
+    const char *what, const char *whole, const char *part, uint32_t x, uint32_t y)
+{
+    tl_image *const all = picture_in(whole), *const some = picture_in(part);
+    expect_pixels_of(what, all, some, x, y);
     tl_image_destroy(all);
     tl_image_destroy(some);
+}
+
+static tl_image *layer_in(const char *path, const char *layer)
+{
+    tl_exr_reader reader = {.is_open = false};
+    tl_exr_target targets[3];
+    char names[3][64];
+    tl_image *image = NULL;
+    tl_error err;
+    ASSERT_OK(tl_exr_reader_open_part(&reader, path, &err), err);
+    ASSERT_OK(tl_image_create(reader.width, reader.height, &image, &err), err);
+    for (unsigned c = 0; c < 3; c++) {
+        snprintf(names[c], sizeof names[c], "%s.%c", layer, "RGB"[c]);
+        ASSERT_OK(tl_exr_reader_require(&reader, names[c], &err), err);
+        targets[c] = (tl_exr_target){names[c], EXR_PIXEL_FLOAT, tl_image_plane(image, c)};
+    }
+    ASSERT_OK(tl_exr_reader_pixels(&reader, targets, 3, image->pitch, &err), err);
+    tl_exr_reader_close(&reader);
+    return image;
 }
 
 static void bits_are_those_of_the_whole(void **state)
@@ -77,6 +104,34 @@ static void bits_are_those_of_the_whole(void **state)
         expect_run(command, 0, "", "");
         expect_part_of(cases[i].options, "whole.exr", "part.exr", cases[i].x, cases[i].y);
         expect_part_of(cases[i].options, "whole.png", "part.png", cases[i].x, cases[i].y);
+    }
+}
+
+#define LINKED \
+    "$T light ids.exr --lights l.json --precision twin --aov diffuse,specular,groups "
+
+/* With lights that are linked to objects, by the ids of the part's own pixels. */
+static void layers_are_parts_of_theirs(void **state)
+{
+    static const char *const layers[] = {"diffuse", "specular", "light_key", "rest"};
+    (void)state;
+    FILE *const file = fopen("l.json", "w");
+    assert_non_null(file);
+    fputs("{\"tilelight\": 1, \"lights\": ["
+          "{\"type\": \"point\", \"position\": [0, 4, 4], \"intensity\": 40, "
+          "\"group\": \"key\", \"link\": {\"only\": [\"floor\", \"middle sphere\"]}}, "
+          "{\"type\": \"point\", \"position\": [3, 3, 2], \"intensity\": 30, "
+          "\"link\": {\"except\": [\"cone\"]}}]}",
+          file);
+    assert_int_equal(fclose(file), 0);
+    expect_run(LINKED "-o whole.exr && " LINKED "-o part.exr --region 67,9,20,31", 0, "", "");
+    expect_part_of("linked", "whole.exr", "part.exr", 67, 9);
+    for (size_t i = 0; i < COUNT_OF(layers); i++) {
+        tl_image *const all = layer_in("whole.exr", layers[i]), *const some = layer_in(
+                                                                    "part.exr", layers[i]);
+        expect_pixels_of(layers[i], all, some, 67, 9);
+        tl_image_destroy(all);
+        tl_image_destroy(some);
     }
 }
 
@@ -125,6 +180,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bits_are_those_of_the_whole),
+        cmocka_unit_test(layers_are_parts_of_theirs),
         cmocka_unit_test(files_say_where_it_lies),
         cmocka_unit_test(mistakes_are_named),
     };

@@ -20,7 +20,7 @@ tl_status job_capture(
                    err));
     if (!j->lights_given) {
         j->lights = found;
-        j->lights_controlled = found.count > 0 && options->control_count > 0;
+        j->lights_controlled = found.count > 0 && options->change_lights;
         found = (tl_light_set){0};
     }
     TRY(job_repair(j, scene, strict, err));

@@ -112,6 +112,13 @@ done:
     return status;
 }
 
+/* context: light_controls. */
+static tl_status control_lights(const void *context, tl_light_set *lights, tl_error *err)
+{
+    const light_controls *const controls = context;
+    return tl_light_set_control(lights, controls->of, controls->count, err);
+}
+
 static tl_status run(job *j, const render_options *options, lighter *with, tl_error *err)
 {
     tl_status status = TL_OK;
@@ -124,8 +131,8 @@ static tl_status run(job *j, const render_options *options, lighter *with, tl_er
     TRY(job_prepare_light(j, &options->lighting, &with->device, err));
     capture.materials |= j->lights.material_count > 0;
     if (options->scatter_count == 0) { /* else they are of the lights that are scattered */
-        capture.controls = options->lighting.controls.of;
-        capture.control_count = options->lighting.controls.count;
+        capture.change_lights = control_lights;
+        capture.change_context = &options->lighting.controls;
     }
     TRY(job_capture(j, options->scene, &capture, options->lighting.strict, err));
     TRY(scatter(j, options->scatter_count, err));

@@ -223,8 +223,8 @@ tl_status tl_capture(const char *path,
     TRY(check_samples(options, width, height, err));
     TRY(tl_model_load(path, &moment, options->variant, notices, &model, err));
     TRY(tl_model_lights(model, &found, err));
-    if (found.count > 0)
-        TRY(tl_light_set_control(&found, options->controls, options->control_count, err));
+    if (options->change_lights && found.count > 0)
+        TRY(options->change_lights(options->change_context, &found, err));
     for (size_t i = 0; options->all_shadows && i < found.count; i++)
         found.lights[i].casts_shadow = 1;
     TRY(tl_model_camera(model, options->camera, width, height, notices, &camera, err));

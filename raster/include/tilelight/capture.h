@@ -4,7 +4,7 @@
 #define TL_CAPTURE_H
 
 #include "tilelight/gbuffer.h"
-#include "tilelight/light_control.h"
+#include "tilelight/lights.h"
 
 #include <stdbool.h>
 
@@ -39,9 +39,10 @@ typedef struct tl_capture_options {
      * 0: TL_DEFAULT_SHADOW_MEMORY. shadow_near: m ahead of a light from which on surfaces are in its map, for
      * lamps that would keep their own light in; 0: a 100000th of the scene's extent. */
     const tl_light_set *shadow_lights;
-    /* Of the scene's own lights, where it has any, what is off or scaled (light_control.h), before that. */
-    const tl_light_control *controls;
-    size_t control_count;
+    /* What is done to the scene's own lights, where it has any, before that: such as to switch some off. NULL:
+     * nothing. */
+    tl_status (*change_lights)(const void *context, tl_light_set *lights, tl_error *err);
+    const void *change_context;
     bool all_shadows;
     uint64_t shadow_memory;
     double shadow_near;
@@ -58,9 +59,9 @@ typedef struct tl_capture_options {
  * notice. Fails with TL_ERR_READ, TL_ERR_FORMAT, TL_ERR_UNSUPPORTED (an extension the file requires; a layout
  * whose convention of depth this camera has not; more than TL_MAX_MATERIALS with `materials`; more than 2^24
  * triangles that blend; ids in a layout whose targets are all that OpenGL has), TL_ERR_ARGUMENT (size,
- * samples, layers, camera, anisotropy, time, animation, variant; controls, as tl_light_set_control; shadow maps
- * beyond shadow_memory at their smallest), TL_ERR_MEMORY or TL_ERR_DEVICE (OpenGL), naming the file and the node, mesh, accessor, image or
- * extension concerned. */
+ * samples, layers, camera, anisotropy, time, animation, variant; shadow maps beyond shadow_memory at their
+ * smallest), TL_ERR_MEMORY or TL_ERR_DEVICE (OpenGL), naming the file and the node, mesh, accessor, image or
+ * extension concerned; and as change_lights does. */
 tl_status tl_capture(const char *path,
                      const tl_capture_options *options,
                      tl_gbuffer **out,
