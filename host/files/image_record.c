@@ -57,6 +57,16 @@ static bool read_png(int file, uint64_t size, char out[TL_IMAGE_RECORD_SIZE])
     return false;
 }
 
+/* Our writers have the last rows at the end. */
+static bool is_whole(const tl_exr_part *part)
+{
+    exr_chunk_info_t last;
+    return exr_read_scanline_chunk_info(part->stream->context, 0, part->data.max.y, &last) ==
+               EXR_ERR_SUCCESS &&
+           last.data_offset <= part->file_size &&
+           last.packed_size <= part->file_size - last.data_offset;
+}
+
 static bool read_exr(tl_exr_stream *stream, uint64_t size, char out[TL_IMAGE_RECORD_SIZE])
 {
     tl_exr_part part;
@@ -64,7 +74,7 @@ static bool read_exr(tl_exr_stream *stream, uint64_t size, char out[TL_IMAGE_REC
         return false;
     const exr_attribute_t *found = tl_exr_part_attribute(&part, TL_IMAGE_RECORD_NAME);
     if (!found || found->type != EXR_ATTR_STRING ||
-        found->string->length >= TL_IMAGE_RECORD_SIZE)
+        found->string->length >= TL_IMAGE_RECORD_SIZE || !is_whole(&part))
         return false;
     memcpy(out, found->string->str, (size_t)found->string->length);
     out[found->string->length] = '\0';

@@ -137,7 +137,7 @@ typedef struct tl_png_picture {
     const char *record;     /* as above */
 } tl_png_picture;
 
-/* The longest record, with its NUL. */
+/* The longest record, with its NUL; none is empty. */
 #define TL_IMAGE_RECORD_SIZE 64
 
 /* A picture that is written beside another, under a name: UTF-8, of at most 127 bytes. */
