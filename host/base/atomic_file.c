@@ -1,9 +1,11 @@
 #define _GNU_SOURCE /* memfd_create */
 #include "atomic_file.h"
 
+#include "held_name.h"
+#include "target.h"
+
 #include <errno.h>
 #include <fcntl.h>
-#include <linux/magic.h>
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -11,11 +13,9 @@
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
-#include <sys/vfs.h>
 #include <unistd.h>
 
 enum {
-    MAX_LINKS = 40,        /* as the kernel's own limit */
     MAX_NAME_LENGTH = 200, /* of the target's name in the temporary one: 255 bytes in all */
     MAX_TRIES = 100        /* leftovers of a killed process with our id */
 };
@@ -58,72 +58,13 @@ int tl_write_all(int descriptor, const void *data, size_t size)
     return 0;
 }
 
-/* The part of a path before its last name, with the slash: "" for a name alone. The caller frees
- * it. */
-static char *folder_of(const char *path)
+static void release(tl_atomic_file *file)
 {
-    const char *slash = strrchr(path, '/');
-    return strndup(path, slash ? (size_t)(slash - path) + 1 : 0);
-}
-
-/* Where a link points, seen from where the link stands. The caller frees it. */
-static char *follow(const char *link)
-{
-    char to[4096], *joined = NULL;
-    const ssize_t length = readlink(link, to, sizeof to - 1);
-    if (length < 0)
-        return NULL;
-    to[length] = '\0';
-    if (to[0] == '/')
-        return strdup(to);
-    char *folder = folder_of(link);
-    if (folder && asprintf(&joined, "%s%s", folder, to) < 0)
-        joined = NULL;
-    free(folder);
-    return joined;
-}
-
-/* Names under /proc stand for open files: renaming over what they show would leave the process
- * that opened it with the old one. */
-static bool is_in_proc(const char *path)
-{
-    struct statfs system;
-    char *folder = folder_of(path);
-    const bool yes = folder && statfs(folder[0] ? folder : ".", &system) == 0 &&
-                     system.f_type == PROC_SUPER_MAGIC;
-    free(folder);
-    return yes;
-}
-
-/* Follows links to the name that a rename must replace. *in_place says that the target has to be
- * written into instead. Returns 0 or an errno. */
-static int resolve(const char *target, char **out, bool *in_place)
-{
-    struct stat seen;
-    char *path = strdup(target);
-    *in_place = false;
-    for (int links = 0; path && !(*in_place = is_in_proc(path)); links++) {
-        if (lstat(path, &seen) != 0 || !S_ISLNK(seen.st_mode))
-            break;
-        if (links == MAX_LINKS) {
-            free(path);
-            return ELOOP;
-        }
-        char *next = follow(path);
-        free(path);
-        path = next;
-    }
-    if (!path)
-        return errno;
-    if (stat(path, &seen) == 0) {
-        *in_place = *in_place || !S_ISREG(seen.st_mode);
-        if (S_ISDIR(seen.st_mode)) {
-            free(path);
-            return EISDIR;
-        }
-    }
-    *out = path;
-    return 0;
+    if (file->descriptor >= 0)
+        close(file->descriptor);
+    free(file->temporary);
+    free(file->target);
+    *file = (tl_atomic_file){0};
 }
 
 /* Returns 0 or an errno. */
@@ -152,19 +93,39 @@ static int create_temporary(tl_atomic_file *file)
     return EEXIST;
 }
 
+/* Empty, whatever a killed process left in it. Returns 0 or an errno. */
+static int open_held(tl_atomic_file *file, tl_held_name *name)
+{
+    file->temporary = strdup(name->temporary);
+    file->descriptor = fcntl(name->descriptor, F_DUPFD_CLOEXEC, 0);
+    if (!file->temporary || file->descriptor < 0)
+        return file->temporary ? errno : ENOMEM;
+    file->held = name;
+    if (ftruncate(file->descriptor, 0) != 0 || lseek(file->descriptor, 0, SEEK_SET) != 0)
+        return errno;
+    return 0;
+}
+
+/* Returns 0 or an errno. */
+static int open_temporary(tl_atomic_file *file)
+{
+    tl_held_name *const name = tl_held_name_of(file->target);
+    return name ? open_held(file, name) : create_temporary(file);
+}
+
 tl_status tl_atomic_file_begin(tl_atomic_file *file, const char *target, tl_error *err)
 {
     tl_atomic_file made = {.descriptor = -1};
     bool in_place = false;
-    int failure = resolve(target, &made.target, &in_place);
+    int failure = tl_target_resolve(target, &made.target, &in_place);
     if (failure == 0 && in_place) {
         made.descriptor = memfd_create("tilelight", MFD_CLOEXEC);
         failure = made.descriptor < 0 ? errno : 0;
     } else if (failure == 0) {
-        failure = create_temporary(&made);
+        failure = open_temporary(&made);
     }
     if (failure != 0) {
-        free(made.target);
+        release(&made);
         return failure == ENOMEM ? tl_fail(err, TL_ERR_MEMORY, "%s: out of memory", target)
                                  : tl_write_failed(target, failure, err);
     }
@@ -203,7 +164,7 @@ static int copy_in_place(const tl_atomic_file *file)
  * rename still stands, so this reports nothing. */
 static void sync_folder(const char *path)
 {
-    char *folder = folder_of(path);
+    char *folder = tl_target_folder(path);
     const int descriptor =
         folder ? open(folder[0] ? folder : ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC) : -1;
     if (descriptor >= 0) {
@@ -211,15 +172,6 @@ static void sync_folder(const char *path)
         close(descriptor);
     }
     free(folder);
-}
-
-static void release(tl_atomic_file *file)
-{
-    if (file->descriptor >= 0)
-        close(file->descriptor);
-    free(file->temporary);
-    free(file->target);
-    *file = (tl_atomic_file){0};
 }
 
 tl_status tl_atomic_file_commit(tl_atomic_file *file, tl_error *err)
@@ -242,6 +194,8 @@ tl_status tl_atomic_file_commit(tl_atomic_file *file, tl_error *err)
         tl_atomic_file_abandon(file);
         return status;
     }
+    if (file->held)
+        file->held->is_renamed = true;
     if (file->temporary)
         sync_folder(file->target);
     release(file);
@@ -252,7 +206,8 @@ void tl_atomic_file_abandon(tl_atomic_file *file)
 {
     if (!file->target)
         return;
-    if (file->temporary)
+    /* A name that is held stays until it is dropped. */
+    if (file->temporary && !file->held)
         unlink(file->temporary);
     release(file);
 }

@@ -6,7 +6,10 @@
  *
  * A target that exists and is no regular file (a device, a FIFO, /dev/stdout), and any name under
  * /proc such as an open descriptor's, cannot be renamed over: the bytes wait in memory, and
- * commit copies them into it. */
+ * commit copies them into it.
+ *
+ * Where this process holds a temporary name for the target (held_name.h), that is the temporary file's, and
+ * abandon leaves it to whoever holds it. */
 #ifndef TL_ATOMIC_FILE_H
 #define TL_ATOMIC_FILE_H
 
@@ -22,6 +25,7 @@ typedef struct tl_atomic_file {
     char *target;    /* owned; NULL when there is nothing to commit or abandon */
     char *temporary; /* owned; its name, NULL where the bytes wait in memory */
     int descriptor;  /* what to write to, at any offset; meaningful while target is not NULL */
+    struct tl_held_name *held; /* whose name that is; NULL: its own */
 } tl_atomic_file;
 
 /* Creates the temporary file, empty, with the permissions that the umask leaves of 0666. Fails
