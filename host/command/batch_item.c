@@ -1,6 +1,7 @@
 #include "batch_item.h"
 
 #include "batch_record.h"
+#include "frame_claim.h"
 #include "frame_steps.h"
 #include "job_light.h"
 #include "job_pictures.h"
@@ -114,20 +115,42 @@ done:
     return status;
 }
 
+static bool stands(const batch *b, const tl_item *item, const char *record)
+{
+    const char *output;
+    return batch_reason_of(b, item, record, &output) == BATCH_UP_TO_DATE_IS;
+}
+
+/* Unless another process is at it, or has made it until it could be taken. */
+static tl_status make_alone(
+    batch *b, const tl_item *item, const char *record, batch_outcome *outcome, tl_error *err)
+{
+    tl_frame_claim *claim = NULL;
+    job j = {0};
+    tl_status status = TL_OK;
+    TRY(tl_frame_claim_take(item->outputs, item->output_count, &claim, err));
+    *outcome = !claim ? BATCH_LEFT : stands(b, item, record) ? BATCH_UP_TO_DATE : BATCH_DONE;
+    if (*outcome == BATCH_DONE)
+        TRY(make(b, item, record, &j, err));
+done:
+    batch_cost_add_timings(&b->cost, &j.timings);
+    job_release(&j);
+    tl_frame_claim_end(claim);
+    return status;
+}
+
 tl_status batch_item_make(batch *b, const tl_item *item, batch_outcome *outcome, tl_error *err)
 {
     const batch_clock clock = batch_clock_now();
-    const char *output;
     char record[TL_RECORD_SIZE];
-    job j = {0};
-    tl_status status = batch_record_of(b, item, record, err);
-    const bool stands =
-        status == TL_OK && batch_reason_of(b, item, record, &output) == BATCH_UP_TO_DATE_IS;
+    const tl_status status = batch_record_of(b, item, record, err);
+    const bool is_made = status == TL_OK && stands(b, item, record);
     batch_cost_end_stage(&b->cost, BATCH_CHECK, clock);
-    if (status == TL_OK && !stands)
-        status = make(b, item, record, &j, err);
-    batch_cost_add_timings(&b->cost, &j.timings);
-    job_release(&j);
-    *outcome = stands ? BATCH_UP_TO_DATE : BATCH_DONE;
-    return status;
+    if (status != TL_OK)
+        return status;
+    if (!is_made)
+        return make_alone(b, item, record, outcome, err);
+    tl_frame_claim_sweep(item->outputs, item->output_count);
+    *outcome = BATCH_UP_TO_DATE;
+    return TL_OK;
 }
