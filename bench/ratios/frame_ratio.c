@@ -1,8 +1,10 @@
 #include "frame_ratio.h"
 
+#include "aovs.h"
 #include "tilelight/report.h"
 #include "try.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* One of the two at work. */
@@ -10,6 +12,9 @@ typedef struct worker {
     const tl_frame_side *side;
     tl_lighting *lighting;
     tl_image *image;
+    tl_lighting *of_groups; /* and what they are lit into; NULL: there are none */
+    tl_image *group;
+    uint8_t *lit;                    /* [lights] */
     double frame_now, processor_now; /* ms, of the last frame */
     tl_lighting_counts counts;
     tl_samples frame_ms, processor_ms, cull_ms, shade_ms;
@@ -20,17 +25,42 @@ static tl_status begin(worker *w, tl_device *device, const tl_frame_side *side, 
     const tl_camera *camera = &side->gbuffer->camera;
     tl_status status = TL_OK;
     w->side = side;
-    TRY(tl_image_create(camera->width, camera->height, &w->image, err));
+    TRY(tl_image_create_parts(camera->width, camera->height, TL_AOVS_IN(side->options.split),
+                              &w->image, err));
     TRY(tl_lighting_create(device, &side->options, &w->lighting, err));
+    if (side->group_count == 0)
+        goto done;
+    w->lit = malloc(side->lights->count + 1);
+    if (!w->lit)
+        TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for groups of lights"));
+    TRY(tl_image_create(camera->width, camera->height, &w->group, err));
+    TRY(tl_lighting_create(device, &side->options, &w->of_groups, err));
 done:
+    return status;
+}
+
+static tl_status light_groups(worker *w, tl_error *err)
+{
+    const tl_frame_side *side = w->side;
+    tl_status status = TL_OK;
+    for (uint32_t k = 0; k < side->group_count && status == TL_OK; k++) {
+        const tl_light_part part = {.lit = w->lit, .alone = k > 0};
+        for (size_t i = 0; i < side->lights->count; i++)
+            w->lit[i] = i % side->group_count == k;
+        status = tl_lighting_run_part(w->of_groups, side->gbuffer, side->lights, &part,
+                                      w->group, NULL, NULL, NULL, err);
+    }
     return status;
 }
 
 static tl_status light(worker *w, tl_error *err)
 {
     const double start = tl_seconds(), busy = tl_processor_seconds();
-    const tl_status status = tl_lighting_run(w->lighting, w->side->gbuffer, w->side->lights,
-                                             w->image, NULL, NULL, &w->counts, err);
+    tl_status status = TL_OK;
+    TRY(tl_lighting_run(w->lighting, w->side->gbuffer, w->side->lights, w->image, NULL, NULL,
+                        &w->counts, err));
+    TRY(light_groups(w, err));
+done:
     w->frame_now = 1e3 * (tl_seconds() - start);
     w->processor_now = 1e3 * (tl_processor_seconds() - busy);
     return status;
@@ -48,12 +78,14 @@ done:
     return status;
 }
 
-static int have_same_bits(const tl_image *a, const tl_image *b)
+/* part: from (x, y) of the whole on. */
+static int has_bits_of(const tl_image *part, const tl_image *whole, uint32_t x, uint32_t y)
 {
     for (unsigned c = 0; c < 3; c++)
-        for (size_t row = 0; row < a->height; row++)
-            if (memcmp(tl_image_plane(a, c) + row * a->pitch,
-                       tl_image_plane(b, c) + row * b->pitch, a->width * sizeof(float)) != 0)
+        for (size_t row = 0; row < part->height; row++)
+            if (memcmp(tl_image_plane(whole, c) + (y + row) * whole->pitch + x,
+                       tl_image_plane(part, c) + row * part->pitch,
+                       part->width * sizeof(float)) != 0)
                 return 0;
     return 1;
 }
@@ -83,6 +115,9 @@ static void end(worker *w)
 {
     tl_lighting_destroy(w->lighting);
     tl_image_destroy(w->image);
+    tl_lighting_destroy(w->of_groups);
+    tl_image_destroy(w->group);
+    free(w->lit);
     tl_samples_clear(&w->frame_ms);
     tl_samples_clear(&w->processor_ms);
     tl_samples_clear(&w->cull_ms);
@@ -103,7 +138,9 @@ tl_status tl_frame_ratio_measure(tl_device *device,
         TRY(begin(&workers[i], device, &sides[i], err));
         TRY(light(&workers[i], err));
     }
-    made.same_bits = have_same_bits(workers[0].image, workers[1].image);
+    const tl_camera *second = &sides[1].gbuffer->camera;
+    made.same_bits =
+        has_bits_of(workers[1].image, workers[0].image, second->window_x, second->window_y);
     TRY(take_pairs(workers, rule, &ratio, &processor, err));
     made.ratio = tl_samples_summarize(&ratio);
     made.processor_ratio = tl_samples_summarize(&processor);

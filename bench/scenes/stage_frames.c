@@ -1,34 +1,46 @@
 #include "stage_frames.h"
 
+#include "aovs.h"
 #include "try.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 /* Shadow maps are empty, and profiles alike in all directions: each pixel looks up all that it would, and
- * finds all of the light. */
+ * finds all of the light. Links keep lights from every other pixel, by turns of 8 x 8. */
 typedef struct stage_row {
     const char *name, *meaning;
-    const char *frame;  /* of the frames of effects */
-    uint32_t map_count; /* lights of the frame, from its first on, that get a map */
-    uint32_t map_size;  /* texels each way */
-    uint32_t
-        profile_count; /* lights of the frame that get a profile, alike in all directions */
+    const char *frame; /* of the frames of effects */
+    /* lights of the frame, from its first on, that get a map, a profile alike in all directions, a link */
+    uint32_t map_count, profile_count, link_count;
+    uint32_t map_size;      /* texels each way */
     float occlusion_radius; /* m; 0: ambient light is not kept from anything */
-    float sky_light; /* 0: the sky is background alone */
+    float sky_light;        /* 0: the sky is background alone */
+    uint32_t split;         /* tl_lighting_options.split */
+    uint32_t group_count;   /* tl_frame_side.group_count */
+    int is_part;            /* 1: the middle of the picture alone, half as wide and high */
 } stage_row;
 
 static const stage_row stages[] = {
-    {"shadows", "of a sun, in a map of 2048 texels each way", "sun", 1, 2048, 0, 0.0f, 0.0f},
-    {"shadows", "of 16 of 1024 lamps, in six maps of 256 each", "gloss", 16, 256, 0, 0.0f,
-     0.0f},
-    {"shadows", "of all of 1024 lamps, in six maps of 64 each", "gloss", 1024, 64, 0, 0.0f,
-     0.0f},
-    {"profiles", "of 16 of 1024 lamps", "gloss", 0, 0, 16, 0.0f, 0.0f},
-    {"profiles", "of all of 1024 lamps", "gloss", 0, 0, 1024, 0.0f, 0.0f},
-    {"ambient-occlusion", "within half a metre, in 64 looks a pixel", "spots", 0, 0, 0, 0.5f,
-     0.0f},
-    {"sky-light", "of a gradient, diffuse and mirrored", "gloss", 0, 0, 0, 0.0f, 1.0f},
+    {"shadows", "of a sun, in a map of 2048 texels each way", "sun", .map_count = 1,
+     .map_size = 2048},
+    {"shadows", "of 16 of 1024 lamps, in six maps of 256 each", "gloss", .map_count = 16,
+     .map_size = 256},
+    {"shadows", "of all of 1024 lamps, in six maps of 64 each", "gloss", .map_count = 1024,
+     .map_size = 64},
+    {"profiles", "of 16 of 1024 lamps", "gloss", .profile_count = 16},
+    {"profiles", "of all of 1024 lamps", "gloss", .profile_count = 1024},
+    {"links", "of 16 of 1024 lamps to half of the pixels", "gloss", .link_count = 16},
+    {"links", "of all of 1024 lamps to half of the pixels", "gloss", .link_count = 1024},
+    {"ambient-occlusion", "within half a metre, in 64 looks a pixel", "spots",
+     .occlusion_radius = 0.5f},
+    {"sky-light", "of a gradient, diffuse and mirrored", "gloss", .sky_light = 1.0f},
+    {"layers", "all terms of the light, written beside the picture", "all",
+     .split = TL_ALL_AOVS},
+    {"light-groups", "two, of half of 1024 lamps each, beside the picture", "gloss",
+     .group_count = 2},
+    {"light-groups", "eight of 128 lamps each, beside the picture", "gloss", .group_count = 8},
+    {"regions", "the middle quarter of the picture", "gloss", .is_part = 1},
 };
 const int tl_stage_count = sizeof stages / sizeof stages[0];
 
@@ -39,7 +51,18 @@ tl_effect_frame_row tl_stage_about(int index)
 
 int tl_stage_keeps_bits(int index)
 {
-    return stages[index].map_count > 0 || stages[index].profile_count > 0;
+    const stage_row *of = &stages[index];
+    return !(of->occlusion_radius > 0.0f) && !(of->sky_light > 0.0f) && of->link_count == 0;
+}
+
+uint32_t tl_stage_split(int index)
+{
+    return stages[index].split;
+}
+
+uint32_t tl_stage_group_count(int index)
+{
+    return stages[index].group_count;
 }
 
 static int frame_named(const char *name)
@@ -109,6 +132,56 @@ done:
     return status;
 }
 
+/* Two objects, on squares of 8 x 8 pixels by turns. */
+static tl_status add_objects(tl_gbuffer *g, tl_error *err)
+{
+    const tl_status status = tl_ids_add(g, err);
+    for (uint32_t y = 0; status == TL_OK && y < g->camera.height; y++)
+        for (uint32_t x = 0; x < g->camera.width; x++)
+            g->ids[(size_t)y * g->pitch + x] = 1 + (x / 8 + y / 8) % 2;
+    return status;
+}
+
+static tl_status link_lights(const stage_row *of,
+                             tl_effect_frame *without,
+                             tl_effect_frame *with,
+                             tl_error *err)
+{
+    tl_link_object second = {.id = 2};
+    const tl_light_link link = {.except = 1, .count = 1, .of = &second};
+    tl_status status = TL_OK;
+    uint32_t number = 0;
+    if (of->link_count == 0)
+        return TL_OK;
+    TRY(add_objects(without->gbuffer, err));
+    TRY(tl_light_set_add_link(&with->lights, &link, &number, err));
+    for (uint32_t i = 0; i < of->link_count && i < with->lights.count; i++)
+        with->lights.lights[i].link = number;
+done:
+    return status;
+}
+
+/* A G-buffer of its own, of the middle of the other's picture. */
+static tl_status cut_middle(int frame,
+                            const tl_effect_frame *without,
+                            tl_effect_frame *with,
+                            tl_error *err)
+{
+    const tl_camera *whole = &without->gbuffer->camera;
+    const tl_region middle = {whole->width / 4, whole->height / 4, (whole->width + 1) / 2,
+                              (whole->height + 1) / 2};
+    tl_effect_frame again = {0};
+    tl_status status = TL_OK;
+    TRY(tl_effect_frame_make(frame, whole->width, whole->height, &again, err));
+    TRY(tl_gbuffer_cut(&again.gbuffer, &middle, err));
+    with->gbuffer = again.gbuffer;
+    with->borrows = 0;
+    again.gbuffer = NULL;
+done:
+    tl_effect_frame_clear(&again);
+    return status;
+}
+
 static void paint_sky(tl_light_set *lights)
 {
     static const float zenith[3] = {0.1f, 0.2f, 0.6f}, level[3] = {0.7f, 0.7f, 0.7f},
@@ -137,6 +210,9 @@ tl_status tl_stage_make(int index,
     with->lights.sky_light = of->sky_light;
     TRY(cast_shadows(of, without, with, err));
     TRY(give_profiles(of, with, err));
+    TRY(link_lights(of, without, with, err));
+    if (of->is_part)
+        TRY(cut_middle(frame_named(of->frame), without, with, err));
     with->lights.occlusion_radius = of->occlusion_radius;
 done:
     if (status != TL_OK) {

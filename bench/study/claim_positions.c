@@ -29,7 +29,7 @@ static tl_status compare(const tl_claim_options *options,
                          tl_error *err)
 {
     const tl_lighting_options how = tl_lighting_options_default();
-    const tl_frame_side sides[2] = {{without, lights, how}, {with, lights, how}};
+    const tl_frame_side sides[2] = {{without, lights, how, 0}, {with, lights, how, 0}};
     const tl_sampling_rule rule = {.least_samples = 2,
                                    .seconds = options->seconds / TL_STUDY_BLOCK_COUNT};
     double blocks[TL_STUDY_BLOCK_COUNT];

@@ -11,9 +11,11 @@
 #include "try.h"
 
 #include <stdio.h>
+#include <string.h>
 
-static const size_t effects_samples = 30;
-static const double effects_seconds = 4.0;
+/* As many pairs as a long row gets; the others get as many as there is time for. */
+static const size_t effects_samples = 11;
+static const double effects_seconds = 3.0;
 
 /* What is wanted; the printed verdicts say whether it was reached. */
 static const double least_gain_of_plainest = 2.0, most_of_unused = 1.03;
@@ -23,7 +25,7 @@ typedef struct effects_bench {
     tl_bench_case of; /* its size and how it is lit */
     tl_sampling_rule rule;
     json_t *frames, *unused, *stages, *post;
-    int all_same_bits;
+    int all_same_bits, is_complete;
     double gain_of_plainest, most_of_unused; /* median; upper end of the interval */
 } effects_bench;
 
@@ -67,16 +69,45 @@ static json_t *ratio_json(tl_effect_frame_row about,
     return object;
 }
 
+/* What there is, so that nothing is lost where the rest is not waited for. */
+static tl_status write_json(effects_bench *b, tl_error *err)
+{
+    const bench_session *s = b->session;
+    if (!s->options->json)
+        return TL_OK;
+    const tl_device_info device = tl_device_describe(s->device);
+    json_t *report = tl_bench_json_begin(&s->machine);
+    json_object_set_new(report, "device", tl_bench_json_device(&device));
+    json_object_set_new(report, "effects",
+                        json_pack("{so sO sO sO sO so so sb sb}", "case",
+                                  tl_bench_json_case(&b->of), "frames", b->frames, "unused",
+                                  b->unused, "stages", b->stages, "post", b->post,
+                                  "gain_of_plainest", tl_json_number(b->gain_of_plainest),
+                                  "most_of_unused", tl_json_number(b->most_of_unused),
+                                  "same_bits", b->all_same_bits, "complete", b->is_complete));
+    return tl_json_write(s->options->json, report, err);
+}
+
+/* After each row; standard output gets the whole alone. */
+static tl_status keep_rows(void *context, tl_error *err)
+{
+    effects_bench *b = context;
+    const char *path = b->session->options->json;
+    return path && strcmp(path, "-") != 0 ? write_json(b, err) : TL_OK;
+}
+
+static tl_frame_side side_of(const effects_bench *b, const tl_effect_frame *frame)
+{
+    return (tl_frame_side){frame->gbuffer, &frame->lights, b->of.lighting, 0};
+}
+
 static tl_status measure(effects_bench *b,
                          const tl_effect_frame *first,
-                         const tl_effect_frame *second,
-                         tl_effects_mode mode,
+                         tl_frame_side second,
                          tl_frame_ratio *out,
                          tl_error *err)
 {
-    tl_frame_side sides[2] = {{first->gbuffer, &first->lights, b->of.lighting},
-                              {second->gbuffer, &second->lights, b->of.lighting}};
-    sides[1].options.effects = mode;
+    const tl_frame_side sides[2] = {side_of(b, first), second};
     const tl_status status =
         tl_frame_ratio_measure(b->session->device, sides, &b->rule, out, err);
     if (status == TL_OK && !out->same_bits)
@@ -94,13 +125,16 @@ static tl_status measure_frame(effects_bench *b, int index, tl_error *err)
     tl_status status = TL_OK;
     console_stage("lighting frames with what they call for, and with all effects");
     TRY(tl_effect_frame_make(index, size->width, size->height, &frame, err));
-    TRY(measure(b, &frame, &frame, TL_EFFECTS_ALL, &ratio, err));
+    tl_frame_side all = side_of(b, &frame);
+    all.options.effects = TL_EFFECTS_ALL;
+    TRY(measure(b, &frame, all, &ratio, err));
     console_stage(NULL);
     if (index == 0)
         b->gain_of_plainest = ratio.ratio.median;
     if (b->session->table)
         print_ratio(b->session->table, about, &ratio);
     json_array_append_new(b->frames, ratio_json(about, &ratio, "chosen", "all"));
+    TRY(keep_rows(b, err));
 done:
     tl_effect_frame_clear(&frame);
     return status;
@@ -115,13 +149,14 @@ static tl_status measure_unused(effects_bench *b, int index, tl_error *err)
     tl_status status = TL_OK;
     console_stage("lighting frames without effects, and with them, unused");
     TRY(tl_unused_effect_make(index, size->width, size->height, &without, &with, err));
-    TRY(measure(b, &without, &with, b->of.lighting.effects, &ratio, err));
+    TRY(measure(b, &without, side_of(b, &with), &ratio, err));
     console_stage(NULL);
     if (ratio.ratio.interval.high > b->most_of_unused)
         b->most_of_unused = ratio.ratio.interval.high;
     if (b->session->table)
         print_ratio(b->session->table, about, &ratio);
     json_array_append_new(b->unused, ratio_json(about, &ratio, "without", "with"));
+    TRY(keep_rows(b, err));
 done:
     tl_effect_frame_clear(&with);
     tl_effect_frame_clear(&without);
@@ -139,13 +174,17 @@ static tl_status measure_stage(effects_bench *b, int index, tl_error *err)
     tl_status status = TL_OK;
     console_stage("lighting frames without stages, and with them");
     TRY(tl_stage_make(index, size->width, size->height, &without, &with, err));
-    TRY(measure(b, &without, &with, b->of.lighting.effects, &ratio, err));
+    tl_frame_side stage = side_of(b, &with);
+    stage.options.split = tl_stage_split(index);
+    stage.group_count = tl_stage_group_count(index);
+    TRY(measure(b, &without, stage, &ratio, err));
     console_stage(NULL);
     if (!tl_stage_keeps_bits(index))
         b->all_same_bits = had_same_bits;
     if (b->session->table)
         print_ratio(b->session->table, about, &ratio);
     json_array_append_new(b->stages, ratio_json(about, &ratio, "without", "with"));
+    TRY(keep_rows(b, err));
 done:
     tl_effect_frame_clear(&with);
     tl_effect_frame_clear(&without);
@@ -182,28 +221,12 @@ static tl_status measure_all(effects_bench *b, tl_error *err)
         print_heading(table, "\nwhat stages cost", "without", "with ms");
     for (int i = 0; i < tl_stage_count; i++)
         TRY(measure_stage(b, i, err));
-    TRY(bench_post_stages(b->session, &b->of, &b->rule, b->post, err));
+    TRY(bench_post_stages(b->session, &b->of, &b->rule, b->post, keep_rows, b, err));
+    b->is_complete = 1;
     if (table)
         print_verdicts(table, b);
 done:
     return status;
-}
-
-static tl_status write_json(effects_bench *b, tl_error *err)
-{
-    const bench_session *s = b->session;
-    if (!s->options->json)
-        return TL_OK;
-    const tl_device_info device = tl_device_describe(s->device);
-    json_t *report = tl_bench_json_begin(&s->machine);
-    json_object_set_new(report, "device", tl_bench_json_device(&device));
-    json_object_set_new(
-        report, "effects",
-        json_pack("{so sO sO sO sO so so sb}", "case", tl_bench_json_case(&b->of), "frames",
-                  b->frames, "unused", b->unused, "stages", b->stages, "post", b->post,
-                  "gain_of_plainest", tl_json_number(b->gain_of_plainest), "most_of_unused",
-                  tl_json_number(b->most_of_unused), "same_bits", b->all_same_bits));
-    return tl_json_write(s->options->json, report, err);
 }
 
 tl_status bench_run_effects(bench_session *s, tl_error *err)

@@ -8,6 +8,7 @@
 #include "try.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Thresholds are shares of what the automatic exposure brings to 1. */
@@ -32,6 +33,26 @@ static const struct {
      0},
 };
 enum { ROW_COUNT = sizeof rows_of_stages / sizeof rows_of_stages[0] };
+
+/* Codes of 8 bits, which leave the device in place of the picture, or are made of it. */
+static const struct {
+    const char *meaning;
+    tl_look look;
+    int on_host;
+} rows_of_codes[] = {
+    {"by aces, on the device", {.tone = TL_TONE_ACES}, 0},
+    {"by aces, on the host", {.tone = TL_TONE_ACES}, 1},
+    {"by agx and blue noise, on the device",
+     {.tone = TL_TONE_AGX, .dither = TL_DITHER_BLUE_NOISE},
+     0},
+    {"by agx and blue noise, on the host",
+     {.tone = TL_TONE_AGX, .dither = TL_DITHER_BLUE_NOISE},
+     1},
+};
+enum {
+    CODE_ROW_COUNT = sizeof rows_of_codes / sizeof rows_of_codes[0],
+    BYTES_FOR_CODES = 3 * sizeof(float) + 3 /* per pixel, read and written */
+};
 
 /* A stage at work on copies of a lit picture. */
 typedef struct post_bench {
@@ -116,21 +137,19 @@ static double bytes_of(const post_bench *b, int row)
                          rows_of_stages[row].is_spoiled);
 }
 
-static void tell(const post_bench *b, int row, json_t *to)
+static void tell(
+    const post_bench *b, const char *name, const char *meaning, double bytes, json_t *to)
 {
     const tl_summary wall = tl_samples_summarize(&b->wall_ms),
                      kernel = tl_samples_summarize(&b->kernel_ms);
-    const char *const name = tl_post_stage_rows[rows_of_stages[row].stage].word;
-    const double bytes = bytes_of(b, row);
     const double pixels = (double)b->lit->width * b->lit->height;
     const double floor_ms = 1e3 * bytes * pixels / b->session->peaks.copy_bytes;
     if (b->session->table)
         fprintf(b->session->table, "%-10s %9.2f %9.2f %9.1f %9.2f %7.2f %6zu  %s\n", name,
                 wall.median, kernel.median, bytes, floor_ms, kernel.median / floor_ms,
-                wall.count, rows_of_stages[row].meaning);
-    json_array_append_new(to, json_pack("{ss ss so so sf sf}", "name", name, "meaning",
-                                        rows_of_stages[row].meaning, "ms",
-                                        tl_bench_json_summary(&wall), "kernel_ms",
+                wall.count, meaning);
+    json_array_append_new(to, json_pack("{ss ss so so sf sf}", "name", name, "meaning", meaning,
+                                        "ms", tl_bench_json_summary(&wall), "kernel_ms",
                                         tl_bench_json_summary(&kernel), "bytes_per_pixel",
                                         bytes, "floor_ms", floor_ms));
 }
@@ -145,9 +164,51 @@ static tl_status measure(post_bench *b, int row, json_t *to, tl_error *err)
     tl_samples_clear(&b->kernel_ms);
     TRY(tl_post_create(b->session->device, &b->lighting, &options, &post, err));
     TRY(sample(b, post, row, err));
-    tell(b, row, to);
+    tell(b, tl_post_stage_rows[rows_of_stages[row].stage].word, rows_of_stages[row].meaning,
+         bytes_of(b, row), to);
 done:
     tl_post_destroy(post);
+    return status;
+}
+
+static tl_status make_codes(post_bench *b, tl_post *post, int row, uint8_t *rgb, tl_error *err)
+{
+    const float exposure = tl_image_auto_exposure(b->lit);
+    double kernel = 0.0;
+    tl_status status = TL_OK;
+    const double start = tl_seconds();
+    if (rows_of_codes[row].on_host)
+        tl_image_to_rgb8(b->lit, exposure, rows_of_codes[row].look, rgb);
+    else
+        TRY(tl_post_codes(post, b->lit, exposure, rows_of_codes[row].look, rgb, NULL, &kernel,
+                          err));
+    const double wall = 1e3 * (tl_seconds() - start);
+    TRY(tl_samples_add(&b->wall_ms, wall, err));
+    TRY(tl_samples_add(&b->kernel_ms, kernel > 0.0 ? kernel : wall, err));
+done:
+    return status;
+}
+
+static tl_status measure_codes(post_bench *b, int row, json_t *to, tl_error *err)
+{
+    static const tl_post_options nothing = {.mend = 0};
+    uint8_t *const rgb = malloc(3 * (size_t)b->lit->width * b->lit->height);
+    tl_post *post = NULL;
+    tl_status status = TL_OK;
+    if (!rgb)
+        TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for codes of a picture"));
+    TRY(tl_post_create(b->session->device, &b->lighting, &nothing, &post, err));
+    TRY(make_codes(b, post, row, rgb, err)); /* compiles */
+    tl_samples_clear(&b->wall_ms);
+    tl_samples_clear(&b->kernel_ms);
+    const double start = tl_seconds();
+    do {
+        TRY(make_codes(b, post, row, rgb, err));
+    } while (!tl_sampling_done(b->rule, &b->wall_ms, start));
+    tell(b, "codes", rows_of_codes[row].meaning, BYTES_FOR_CODES, to);
+done:
+    tl_post_destroy(post);
+    free(rgb);
     return status;
 }
 
@@ -155,6 +216,8 @@ tl_status bench_post_stages(bench_session *session,
                             const tl_bench_case *of,
                             const tl_sampling_rule *rule,
                             json_t *rows,
+                            tl_status (*keep)(void *context, tl_error *err),
+                            void *context,
                             tl_error *err)
 {
     post_bench b = {.session = session, .rule = rule, .lighting = of->lighting};
@@ -170,8 +233,11 @@ tl_status bench_post_stages(bench_session *session,
         fprintf(session->table,
                 "\nwhat stages after lighting cost\n%-10s %9s %9s %9s %9s %7s %6s\n", "", "ms",
                 "kernel ms", "bytes/px", "floor ms", "ratio", "runs");
-    for (int row = 0; row < ROW_COUNT; row++)
-        TRY(measure(&b, row, rows, err));
+    for (int row = 0; row < ROW_COUNT + CODE_ROW_COUNT; row++) {
+        TRY(row < ROW_COUNT ? measure(&b, row, rows, err)
+                            : measure_codes(&b, row - ROW_COUNT, rows, err));
+        TRY(keep(context, err));
+    }
 done:
     tl_samples_clear(&b.wall_ms);
     tl_samples_clear(&b.kernel_ms);
