@@ -11,7 +11,7 @@ typedef struct batch_command {
     batch_options batch;
     report_options report;
     int argc;
-    char **argv; /* of `batch`; NULL: of another command, whose frames are never lit */
+    char **argv;         /* of `batch`; NULL: of another command, whose frames are never lit */
     const char **inputs; /* [input_count], owned */
     size_t input_count;
 } batch_command;
