@@ -9,7 +9,20 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/tilelight)
 
 install(TARGETS tilelight RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command PATTERN images EXCLUDE)
-install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command)
+install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command)
+
+# Our licence, and those of what the program holds of others.
+set(TILELIGHT_COPYRIGHT ${PROJECT_BINARY_DIR}/copyright)
+file(READ LICENSE terms)
+if(TILELIGHT_LIGHTING)
+    file(READ ${TILELIGHT_D3_LICENCE} d3_terms)
+    string(APPEND terms "\nThe program holds d3, under these terms:\n\n${d3_terms}")
+endif()
+if(TILELIGHT_RASTER)
+    string(APPEND terms "\nThe program holds stb_image by Sean Barrett and others, in the public domain.\n")
+endif()
+file(WRITE ${TILELIGHT_COPYRIGHT} "${terms}")
+install(FILES ${TILELIGHT_COPYRIGHT} DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command)
 
 install(DIRECTORY kernels/ DESTINATION ${TILELIGHT_INSTALL_KERNELDIR} COMPONENT development
         FILES_MATCHING PATTERN "*.h")
