@@ -18,6 +18,8 @@ tl_test(test_command_farm command tl_base)
 add_dependencies(test_command_farm tilelight)
 tl_test(test_command_usage command tl_base)
 tl_test(test_command_batch command tl_base PkgConfig::JANSSON)
+tl_test(test_command_batch_faults command tl_base PkgConfig::JANSSON)
+add_dependencies(test_command_batch_faults tilelight)
 tl_test(test_power_cut command tl_gbuffer)
 # What stands between the program and the C library.
 add_library(power_cut MODULE preload/power_cut.c)

@@ -84,6 +84,7 @@ static void what_is_no_set(void **state)
         "1-20000000:3",
         "1-20000003y2",
         "1-10000001",
+        "1-1y3",
     };
     (void)state;
     for (size_t i = 0; i < COUNT_OF(texts); i++) {

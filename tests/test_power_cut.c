@@ -138,20 +138,20 @@ static unsigned count_operations(void)
     return count;
 }
 
-/* All cuts where POWER_CUT_ALL is set; else so many, spread over the run, each with leavings in turn. */
+/* How many there are, spread over the run, each with leavings in turn; POWER_CUTS asks for more. */
 enum { CUTS = 20 };
 
 static void any_operation(void **state)
 {
     (void)state;
     const unsigned count = count_operations();
-    const bool all = getenv("POWER_CUT_ALL") != NULL;
-    const unsigned cuts = all ? count * COUNT_OF(leavings) : CUTS;
-    print_message("%u operations\n", count);
+    const char *wanted = getenv("POWER_CUTS");
+    const unsigned cuts = wanted ? (unsigned)strtoul(wanted, NULL, 10) : CUTS;
+    print_message("%u operations, %u cuts\n", count, cuts);
     assert_true(count > CUTS);
     for (unsigned i = 0; i < cuts; i++) {
         char at[16];
-        const unsigned of_run = all ? i / COUNT_OF(leavings) : i * count / CUTS;
+        const unsigned of_run = (unsigned)((uint64_t)i * count / cuts);
         snprintf(at, sizeof at, "%u", of_run + 1);
         cut(at, leavings[i % COUNT_OF(leavings)].names,
             leavings[i % COUNT_OF(leavings)].contents, i % 4 != 0);

@@ -210,6 +210,8 @@ tl_status tl_frames_parse(const char *text, tl_frames *out, tl_error *err)
             break;
     }
     TRY(keep_first(&made.all, err));
+    if (made.all.count == 0)
+        TRY(tl_fail(err, TL_ERR_ARGUMENT, "\"%.60s\" has no frames", text));
     if (made.all.count > TL_MOST_FRAMES)
         TRY(tl_fail(err, TL_ERR_ARGUMENT, "%zu frames: %u at most in one set", made.all.count,
                     TL_MOST_FRAMES));

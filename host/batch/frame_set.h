@@ -26,8 +26,8 @@ typedef struct tl_frames {
  *   1-10:3   every third, then what every second adds, then the rest: the whole shows early
  *
  * A frame that comes again is left out. Fails with TL_ERR_ARGUMENT, saying which item is none, for one whose
- * step is 0 or leads away from its end, and for more than TL_MOST_FRAMES; TL_ERR_MEMORY. *out is replaced on
- * success and left alone on failure. */
+ * step is 0 or leads away from its end, for a set without frames, and for more than TL_MOST_FRAMES;
+ * TL_ERR_MEMORY. *out is replaced on success and left alone on failure. */
 tl_status tl_frames_parse(const char *text, tl_frames *out, tl_error *err);
 
 /* The same set in as few items as runs of one step allow, in its order: what tl_frames_parse takes. The

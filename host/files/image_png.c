@@ -42,21 +42,19 @@ static int set_curve(spng_ctx *context, tl_curve curve)
     return spng_set_gama(context, 1.0 / 2.2);
 }
 
-/* The library copies it. */
-static int set_record(spng_ctx *context, const char *record)
+/* The library reads the record when it encodes. */
+static int set_record(spng_ctx *context, char *record)
 {
     static const char name[] = TL_IMAGE_RECORD_NAME;
-    struct spng_text text = {.type = SPNG_TEXT, .length = strlen(record)};
-    char copy[TL_IMAGE_RECORD_SIZE];
+    struct spng_text text = {.type = SPNG_TEXT, .text = record, .length = strlen(record)};
     memcpy(text.keyword, name, sizeof name);
-    snprintf(copy, sizeof copy, "%s", record);
-    text.text = copy;
     return spng_set_text(context, &text, 1);
 }
 
 static tl_status set_header(spng_ctx *context,
                             const char *path,
                             const tl_png_picture *picture,
+                            char *record,
                             tl_error *err)
 {
     struct spng_ihdr header = {.width = picture->width,
@@ -70,8 +68,8 @@ static tl_status set_header(spng_ctx *context,
     TRY(check(spng_set_option(context, SPNG_FILTER_CHOICE, FILTERS), path, TL_ERR_WRITE, err));
     TRY(check(spng_set_ihdr(context, &header), path, TL_ERR_WRITE, err));
     TRY(check(set_curve(context, picture->curve), path, TL_ERR_WRITE, err));
-    if (picture->record)
-        TRY(check(set_record(context, picture->record), path, TL_ERR_WRITE, err));
+    if (record[0])
+        TRY(check(set_record(context, record), path, TL_ERR_WRITE, err));
 done:
     return status;
 }
@@ -84,11 +82,13 @@ tl_status tl_png_write_picture(const char *path, const tl_png_picture *picture, 
     void *bytes = NULL;
     size_t size = 0;
     int code = SPNG_OK;
+    char record[TL_IMAGE_RECORD_SIZE];
     spng_ctx *context = spng_ctx_new(SPNG_CTX_ENCODER);
     if (!context)
         return check(SPNG_EMEM, path, TL_ERR_WRITE, err);
 
-    TRY(set_header(context, path, picture, err));
+    snprintf(record, sizeof record, "%s", picture->record ? picture->record : "");
+    TRY(set_header(context, path, picture, record, err));
     TRY(check(spng_encode_image(context, picture->codes, codes_size, SPNG_FMT_PNG,
                                 SPNG_ENCODE_FINALIZE),
               path, TL_ERR_WRITE, err));

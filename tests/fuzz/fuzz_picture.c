@@ -5,12 +5,16 @@
 #include "tilelight/image.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     const char *const path = fuzz_file(data, size);
     tl_error err = {.status = TL_OK};
     tl_image *image = NULL;
+    char record[TL_IMAGE_RECORD_SIZE];
+    fuzz_must(tl_image_record(path, record) || !record[0], "a record where there is none");
+    fuzz_must(memchr(record, '\0', sizeof record) != NULL, "a record without an end");
     const tl_status status = tl_image_read(path, &image, NULL, &err);
     fuzz_must_tell(status, &err, path);
     if (status == TL_OK) {
