@@ -196,15 +196,23 @@ tl_status job_finish(job *j, const report_options *options, tl_error *err)
     return tl_json_write("-", json_incref(j->report), err);
 }
 
-void job_release(job *j)
+void job_drop_pictures(job *j)
 {
-    json_decref(j->report);
     tl_image_destroy(j->image);
+    j->image = NULL;
     free(j->codes);
+    j->codes = NULL;
     for (size_t i = 0; i < j->aovs.count; i++)
         tl_image_destroy(j->aovs.images[i]);
     free(j->aovs.images);
     free(j->aovs.layers);
+    j->aovs = (job_aovs){.count = 0};
+}
+
+void job_release(job *j)
+{
+    json_decref(j->report);
+    job_drop_pictures(j);
     if (!j->lights_are_lent)
         tl_light_set_clear(&j->lights);
     tl_gbuffer_destroy(j->gbuffer);

@@ -30,6 +30,7 @@ typedef struct job {
     bool
         lights_are_lent; /* by another job, as it would light by them: they stay, and stay its own */
     bool lights_controlled; /* what is off or scaled of them is so already */
+    bool lights_are_chosen; /* what the command line asks of them is done */
     bool lights_inside; /* the file of the G-buffer brought lights, even where there are none */
     bool has_look;      /* the capture asks for a look of its pictures */
     tl_look look;
@@ -70,6 +71,9 @@ void job_report(job *j, const char *key, json_t *value);
 
 /* The end of a successful job: timings and the report. */
 tl_status job_finish(job *j, const report_options *options, tl_error *err);
+
+/* What was lit, so that it can be lit once more. */
+void job_drop_pictures(job *j);
 
 void job_release(job *j);
 

@@ -160,11 +160,12 @@ done:
 static tl_status choose_lights(job *j, const lighting_choice *choice, tl_error *err)
 {
     tl_status status = TL_OK;
-    if (j->lights_are_lent)
+    if (j->lights_are_lent || j->lights_are_chosen)
         return TL_OK;
     TRY(job_choose_lights(j, &choice->sky, err));
     TRY(job_control_lights(j, choice, err));
     job_choose_occlusion(j, choice);
+    j->lights_are_chosen = true;
 done:
     return status;
 }
@@ -182,6 +183,7 @@ tl_status job_light(job *j,
     tl_lighting_options options = choice->options;
     tl_lighting *chosen = NULL; /* by the goal, for this frame */
     options.keeps_tile_lights = told != NULL;
+    options.memory_limit = lighter_memory(with, &options);
 
     console_stage("lighting");
     TRY(choose_lights(j, choice, err));

@@ -6,13 +6,24 @@
 #include "tilelight/lighting.h"
 #include "tilelight/post.h"
 
+#include <stdbool.h>
+
 /* All zero to begin with; what is NULL was not needed yet. Released with lighter_close. */
 typedef struct lighter {
     tl_device *device; /* stays NULL for a precision without one */
     tl_lighting *lighting;
     tl_lighting *groups; /* lights groups of lights by themselves */
     tl_post *post;
+    uint64_t
+        memory_limit; /* bytes, in place of what options say; 0: nothing has shown a need of it */
 } lighter;
+
+/* The memory limit of frames with these options. */
+uint64_t lighter_memory(const lighter *with, const tl_lighting_options *options);
+
+/* After the device ran out of memory: frames get half of what they had, the first time of `bytes` where options
+ * say no less, and what was kept is let go. False where that is next to nothing. */
+bool lighter_shrink(lighter *with, const tl_lighting_options *options, uint64_t bytes);
 
 /* Makes *of, one of the lighter's, where it is not there. As tl_lighting_create. */
 tl_status lighter_lighting(lighter *with,

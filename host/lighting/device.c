@@ -13,8 +13,8 @@ tl_status tl_cl(cl_int code, const char *call, tl_error *err)
     if (code == CL_SUCCESS)
         return TL_OK;
     if (code == CL_MEM_OBJECT_ALLOCATION_FAILURE || code == CL_OUT_OF_RESOURCES ||
-        code == CL_OUT_OF_HOST_MEMORY)
-        return tl_fail(err, TL_ERR_DEVICE,
+        code == CL_OUT_OF_HOST_MEMORY || code == CL_INVALID_BUFFER_SIZE)
+        return tl_fail(err, TL_ERR_DEVICE_MEMORY,
                        "the device is out of memory (%s, OpenCL code %d); a smaller frame or "
                        "another --device may fit",
                        call, (int)code);

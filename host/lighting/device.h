@@ -28,7 +28,7 @@ tl_status tl_device_find_all(cl_device_id **ids,
                              size_t *count,
                              tl_error *err);
 
-/* TL_OK for CL_SUCCESS; otherwise TL_ERR_DEVICE, naming the call and the code. */
+/* TL_OK for CL_SUCCESS; otherwise TL_ERR_DEVICE or TL_ERR_DEVICE_MEMORY, naming the call and the code. */
 tl_status tl_cl(cl_int code, const char *call, tl_error *err);
 
 #endif

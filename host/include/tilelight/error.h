@@ -28,6 +28,7 @@ extern "C" {
     X(TL_ERR_UNSUPPORTED, 3, "a file is valid but needs something this build lacks")   \
     X(TL_ERR_NO_DEVICE, 4, "no OpenCL device fits")                                    \
     X(TL_ERR_DEVICE, 4, "OpenCL or OpenGL reported an error")                          \
+    X(TL_ERR_DEVICE_MEMORY, 4, "the device ran out of memory")                         \
     X(TL_ERR_WRITE, 5, "output could not be written")
 
 typedef enum tl_status {
