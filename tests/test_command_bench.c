@@ -204,6 +204,21 @@ static void starts_are_measured(void **state)
     json_decref(root);
 }
 
+/* A frame takes no less than its processor time, but where a few milliseconds of noise are much of it. */
+static void batches_are_measured(void **state)
+{
+    (void)state;
+    expect_run("$T bench --batch --size 64x48 --lights 8 --samples 1 --json b.json", 0,
+               "a frame takes", "");
+    json_t *root = read_json("b.json");
+    assert_true(number_at(root, "batch.frames") > 1.0);
+    assert_true(number_at(root, "batch.ratio.median") > 0.3);
+    assert_true(number_at(root, "batch.in_turn.processor_ms.median") > 0.0);
+    assert_true(number_at(root, "batch.together.processors_busy.median") > 0.0);
+    assert_true(number_at(root, "batch.stages.read.wall_s") > 0.0);
+    json_decref(root);
+}
+
 /* Of no device. */
 static void skies_are_measured(void **state)
 {
@@ -285,6 +300,7 @@ int main(void)
         cmocka_unit_test(slower_cases_are_found),
         cmocka_unit_test(ratios_have_their_keys),
         cmocka_unit_test(starts_are_measured),
+        cmocka_unit_test(batches_are_measured),
         cmocka_unit_test(skies_are_measured),
         cmocka_unit_test(effects_are_measured),
         cmocka_unit_test(standard_output_is_the_report_alone),

@@ -56,9 +56,9 @@ static void list_effect_frames(void)
 
 static tl_status (*const modes[])(bench_session *session, tl_error *err) = {
     [BENCH_CASES] = bench_run_cases,     [BENCH_BASELINES] = bench_run_baselines,
-    [BENCH_GROWTH] = bench_run_growth,   [BENCH_STARTUP] = bench_run_startup,
-    [BENCH_EFFECTS] = bench_run_effects, [BENCH_SKY] = bench_run_sky,
-    [BENCH_KERNEL] = bench_run_kernel,
+    [BENCH_BATCH] = bench_run_batch,     [BENCH_GROWTH] = bench_run_growth,
+    [BENCH_STARTUP] = bench_run_startup, [BENCH_EFFECTS] = bench_run_effects,
+    [BENCH_SKY] = bench_run_sky,         [BENCH_KERNEL] = bench_run_kernel,
 };
 
 static tl_status run(bench_session *session, const bench_options *options, tl_error *err)

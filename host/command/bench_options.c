@@ -19,6 +19,7 @@ enum {
     OPTION_QUICK,
     OPTION_GROWTH,
     OPTION_STARTUP,
+    OPTION_BATCH,
     OPTION_EFFECTS,
     OPTION_SKY,
     OPTION_LIST,
@@ -56,7 +57,8 @@ static void check_together(const bench_options *options, struct argp_state *stat
         argp_error(state, "--layout and --against are for cases: all else lights full float");
     if (options->kernel.file && options->mode != BENCH_KERNEL && options->mode != BENCH_LIST)
         argp_error(state,
-                   "--kernel excludes --baselines, --effects, --growth, --sky and --startup");
+                   "--kernel excludes --baselines, --batch, --effects, --growth, --sky and "
+                   "--startup");
     if (options->mode == BENCH_SKY &&
         (options->lists_given || options->lists.of[TL_AXIS_DEVICE]))
         argp_error(state, "--sky has rows of its own, and no device; it takes no axis");
@@ -75,8 +77,8 @@ static void check_together(const bench_options *options, struct argp_state *stat
 static error_t choose_mode(bench_options *options, bench_mode mode, struct argp_state *state)
 {
     if (options->mode != BENCH_CASES && options->mode != mode)
-        argp_error(state, "--baselines, --effects, --growth, --sky, --startup and --list "
-                          "exclude one another");
+        argp_error(state, "--baselines, --batch, --effects, --growth, --sky, --startup and "
+                          "--list exclude one another");
     options->mode = mode;
     return 0;
 }
@@ -107,6 +109,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
     case OPTION_BASELINES: return choose_mode(options, BENCH_BASELINES, state);
     case OPTION_CAPTURE: options->capture = text; return 0;
     case OPTION_STARTUP: return choose_mode(options, BENCH_STARTUP, state);
+    case OPTION_BATCH: return choose_mode(options, BENCH_BATCH, state);
     case OPTION_EFFECTS: return choose_mode(options, BENCH_EFFECTS, state);
     case OPTION_SKY: return choose_mode(options, BENCH_SKY, state);
     case OPTION_GROWTH: return choose_mode(options, BENCH_GROWTH, state);
@@ -164,6 +167,11 @@ static const struct argp_option fixed_options[] = {
     {"startup", OPTION_STARTUP, NULL, 0,
      "Start the program on a small frame, with nothing compiled and with all compiled: how "
      "long until its first kernel begins",
+     1},
+    {"batch", OPTION_BATCH, NULL, 0,
+     "Light a frame as a batch of many, one after another and several under way at a time: "
+     "what a frame "
+     "takes over its processor time",
      1},
     {NULL, 0, NULL, 0, "Sampling:", 3},
     {"samples", OPTION_SAMPLES, "N", 0,

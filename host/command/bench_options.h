@@ -14,6 +14,7 @@ typedef enum bench_mode {
     BENCH_BASELINES,
     BENCH_GROWTH,
     BENCH_STARTUP,
+    BENCH_BATCH,
     BENCH_EFFECTS,
     BENCH_SKY,
     BENCH_KERNEL,

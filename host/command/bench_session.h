@@ -35,6 +35,7 @@ tl_status bench_session_peaks(bench_session *session, tl_error *err);
 
 /* The modes, each to its end. */
 tl_status bench_run_cases(bench_session *session, tl_error *err);
+tl_status bench_run_batch(bench_session *session, tl_error *err);
 tl_status bench_run_startup(bench_session *session, tl_error *err);
 tl_status bench_run_growth(bench_session *session, tl_error *err);
 tl_status bench_run_baselines(bench_session *session, tl_error *err);
