@@ -90,7 +90,7 @@ static sky *sky_of(sky_shape *shape)
     ASSERT_OK(
         tl_light_set_add_image(&s->set, "sky", WIDTH, HEIGHT, pixels, &s->set.sky_image, &err),
         err);
-    ASSERT_OK(tl_sky_map_of(&s->set, &s->map, &err), err);
+    ASSERT_OK(tl_sky_map_of(&s->set, true, &s->map, &err), err);
     return s;
 }
 

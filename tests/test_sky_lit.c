@@ -124,10 +124,11 @@ static tl_prepared prepared_of(const tl_gbuffer *g, const tl_light_set *lights)
     return p;
 }
 
-/* A sky that is background alone, or black, or shines on what reflects nothing. */
+/* A sky that is background alone, or black, or shines on what reflects nothing; and what mirrors nothing has
+ * no levels of it. */
 static void only_askers_pay(void **state)
 {
-    tl_gbuffer *g = frame_of(metal_rough);
+    tl_gbuffer *g = frame_of(metal_rough), *plaster = frame_of(TL_GROUP_BASE);
     tl_light_set on = sky_set(0.5f, 0.0f), off = sky_set(0.0f, 0.0f);
     const tl_light_set none = {.model = TL_MODEL_METAL_ROUGH},
                        black = {.model = TL_MODEL_METAL_ROUGH, .sky_light = 1.0f};
@@ -145,16 +146,23 @@ static void only_askers_pay(void **state)
     assert_int_equal(tl_prepared_buffer_size(&unlit), tl_prepared_buffer_size(&plain));
     const size_t map = sizeof(tl_view_sky) + (size_t)WIDTH * HEIGHT * TL_SECTION_ROW;
     assert_int_equal(without.sections_size, map);
+    on.model = TL_MODEL_LAMBERT;
+    tl_prepared matt = prepared_of(plaster, &on);
+    assert_int_equal(matt.needs.sky_light, TL_SKY_DIFFUSE);
+    assert_int_equal(matt.sections_size, map + sizeof(tl_view_sky_light));
+    on.model = TL_MODEL_METAL_ROUGH;
     g->is_dark = 1;
     tl_prepared dark = prepared_of(g, &on);
     assert_int_equal(dark.needs.sky_light, 0);
     tl_prepared_clear(&dark);
+    tl_prepared_clear(&matt);
     tl_prepared_clear(&unlit);
     tl_prepared_clear(&plain);
     tl_prepared_clear(&without);
     tl_prepared_clear(&with);
     tl_light_set_clear(&on);
     tl_light_set_clear(&off);
+    tl_gbuffer_destroy(plaster);
     tl_gbuffer_destroy(g);
 }
 
@@ -261,7 +269,7 @@ static void pixels_have_the_light_of_the_map(void **state)
         for (int c = 0; c < 3; c++)
             set_pixel(g, (enum tl_plane)(TL_EMISSIVE_R + c), i, 0.0f);
     g->neutral |= TL_GROUP_EMISSIVE;
-    ASSERT_OK(tl_sky_map_of(&set, &map, &err), err);
+    ASSERT_OK(tl_sky_map_of(&set, true, &map, &err), err);
     tl_image *image = lit_by_twin(g, &set);
     for (uint32_t y = 0; y < image->height; y += 6)
         for (uint32_t x = 0; x < image->width; x += 7) {

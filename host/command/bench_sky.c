@@ -68,7 +68,7 @@ static tl_status prepare(const tl_light_set *set, times *to, tl_error *err)
     tl_status status = TL_OK;
     tl_sky_map *map = NULL;
     const double start = tl_seconds(), busy = tl_processor_seconds();
-    TRY(tl_sky_map_of(set, &map, err));
+    TRY(tl_sky_map_of(set, true, &map, err));
     TRY(tl_samples_add(&to->wall_ms, 1e3 * (tl_seconds() - start), err));
     TRY(tl_samples_add(&to->processor_ms, 1e3 * (tl_processor_seconds() - busy), err));
 done:

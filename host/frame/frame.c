@@ -373,8 +373,6 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
     TRY(tl_links_add(gbuffer, lights, prepared, err));
     if (!gbuffer->opacity)
         TRY(tl_sky_add(&gbuffer->camera, lights, prepared, err));
-    if (prepared->explanation.causes & TL_BY(TL_CAUSE_SKY_LIGHT))
-        TRY(tl_sky_light_add(&gbuffer->camera, lights, prepared, err));
     prepared->may_be_cut =
         prepared->brightness * (double)prepared->brightest_texel * TL_MOST_OF_LIGHT >
         0.5 * (double)TL_MOST_FLOAT;
@@ -385,6 +383,8 @@ tl_status tl_prepare(const tl_gbuffer *gbuffer,
         prepared->explanation.causes |= TL_BY(TL_CAUSE_ONE_COLOR);
         tl_needs_by_causes(&prepared->explanation, &prepared->needs);
     }
+    if (prepared->explanation.causes & TL_BY(TL_CAUSE_SKY_LIGHT))
+        TRY(tl_sky_light_add(&gbuffer->camera, lights, prepared, err));
     if (reads_planes(prepared->needs, TL_GROUP_BRDF))
         TRY(add_rows(prepared, &table, err));
     name_empty_cones(lights, notices);

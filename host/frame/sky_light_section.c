@@ -102,7 +102,7 @@ static double scale_of(const tl_light_set *lights, const tl_sky_map *map)
 static tl_status find_map(const tl_light_set *lights, tl_prepared *prepared, tl_error *err)
 {
     tl_sky_map *map = NULL;
-    const tl_status status = tl_sky_map_of(lights, &map, err);
+    const tl_status status = tl_sky_map_of(lights, mirrors_sky(prepared->needs), &map, err);
     if (status != TL_OK)
         return status;
     tl_sky_map_release(prepared->sky_map);
@@ -123,9 +123,11 @@ tl_status tl_sky_light_add(const tl_camera *camera,
     tl_sky_axes((double)lights->sky_rotation, world);
     for (int i = 0; i < 3; i++)
         tl_camera_view_direction(camera, world[i], axes[i]);
-    TRY(add_texels(prepared->sky_map, scale, prepared, &sky.texels_at, err));
-    TRY(add_levels(prepared->sky_map, prepared, &sky.levels_at, err));
-    TRY(add_table(prepared, &sky.table_at, err));
+    if (mirrors_sky(prepared->needs)) {
+        TRY(add_texels(prepared->sky_map, scale, prepared, &sky.texels_at, err));
+        TRY(add_levels(prepared->sky_map, prepared, &sky.levels_at, err));
+        TRY(add_table(prepared, &sky.table_at, err));
+    }
     TRY(tl_section_add(prepared, sizeof sky, &prepared->frame.sky_light_at, NULL, err));
     for (int x = 0; x < 3; x++) {
         sky.right[x] = (float)axes[0][x];

@@ -53,32 +53,40 @@ static void destroy(held_map *held)
     free(held);
 }
 
-static tl_status make(const tl_sky_source *source, held_map **out, tl_error *err)
+static tl_status make_levels(const tl_sky_source *source, tl_sky_map *map, tl_error *err)
 {
     tl_status status = TL_OK;
     tl_sky_tree tree = {0};
-    held_map *made = calloc(1, sizeof *made);
-    const double start = tl_seconds();
-    if (!made)
-        TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for the light of a sky"));
-    tl_sky_map *map = &made->map;
     map->size = size_for(source);
     map->texel_count = tl_sky_level_start(TL_SKY_LEVELS, map->size);
     map->texels = malloc(map->texel_count * sizeof *map->texels);
     if (!map->texels)
-        TRY(tl_fail(err, TL_ERR_MEMORY, "out of memory for the light of a sky"));
-    TRY(tl_sky_moments_of(source, map->moments, err));
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for the light of a sky");
     TRY(tl_sky_tree_make(source, depth_for(map->size), &tree, err));
     tl_sky_prefilter(&tree, map->size, map->texels);
     for (size_t i = 0; i < map->texel_count; i++)
         for (int c = 0; c < 3; c++)
             if (map->texels[i][c] > map->brightest)
                 map->brightest = map->texels[i][c];
-    map->seconds = tl_seconds() - start;
+done:
+    tl_sky_tree_clear(&tree);
+    return status;
+}
+
+static tl_status make(const tl_sky_source *source, bool mirrored, held_map **out, tl_error *err)
+{
+    tl_status status = TL_OK;
+    held_map *made = calloc(1, sizeof *made);
+    const double start = tl_seconds();
+    if (!made)
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for the light of a sky");
+    TRY(tl_sky_moments_of(source, made->map.moments, err));
+    if (mirrored)
+        TRY(make_levels(source, &made->map, err));
+    made->map.seconds = tl_seconds() - start;
     *out = made;
     made = NULL;
 done:
-    tl_sky_tree_clear(&tree);
     destroy(made);
     return status;
 }
@@ -90,12 +98,15 @@ static void release_locked(held_map *held)
 }
 
 /* Under the lock: two that want one sky wait for one. */
-static tl_status find(const tl_sky_source *source, tl_sky_map **out, tl_error *err)
+static tl_status find(const tl_sky_source *source,
+                      bool mirrored,
+                      tl_sky_map **out,
+                      tl_error *err)
 {
     const XXH128_hash_t key = key_of(source);
-    if (!last || !XXH128_isEqual(last->key, key)) {
+    if (!last || !XXH128_isEqual(last->key, key) || (mirrored && !last->map.texels)) {
         held_map *made = NULL;
-        const tl_status status = make(source, &made, err);
+        const tl_status status = make(source, mirrored, &made, err);
         if (status != TL_OK)
             return status;
         made->key = key;
@@ -108,13 +119,13 @@ static tl_status find(const tl_sky_source *source, tl_sky_map **out, tl_error *e
     return TL_OK;
 }
 
-tl_status tl_sky_map_of(const tl_light_set *set, tl_sky_map **out, tl_error *err)
+tl_status tl_sky_map_of(const tl_light_set *set, bool mirrored, tl_sky_map **out, tl_error *err)
 {
     tl_sky_source source = {0};
     tl_status status = TL_OK;
     TRY(tl_sky_source_of(set, &source, err));
     pthread_mutex_lock(&lock);
-    status = find(&source, out, err);
+    status = find(&source, mirrored, out, err);
     pthread_mutex_unlock(&lock);
 done:
     tl_sky_source_clear(&source);
