@@ -160,6 +160,51 @@ static void a_signal_ends_a_batch_in_order(void **state)
         0, "", "6");
 }
 
+/* A file system of a test's own, where that is allowed, which is full, then read-only, then neither. */
+static void a_full_disk_stops_a_batch(void **state)
+{
+#define BATCH                                                                                \
+    "$T batch in/g.#.exr --frames 1-60 -o lit/#.png -o lit/#.exr --in-flight 2 --precision " \
+    "twin"
+#define APART "unshare -rm sh -c \"mount -t tmpfs -o size=96k tmpfs lit && { "
+    (void)state;
+    if (run_shell(APART "true; }\"")->exit_status != 0)
+        skip();
+    const program_run *run = expect_run(
+        APART BATCH "; echo full \\$?; mount -o remount,ro lit; " BATCH
+                    "; echo locked \\$?; mount -o remount,rw,size=4m lit; " BATCH
+                    "; echo free \\$?; ls -A lit | wc -l; }\"",
+        0, "full 5\nlocked 5\nfree 0\n120\n", "No space left on device; free some space");
+    assert_non_null(strstr(run->err, "5 frames in a row failed alike"));
+    assert_non_null(strstr(run->err, "Read-only file system"));
+    if (!strstr(run->err, " of 60 frames were lit, 4 were up to date"))
+        fail_msg("what was written before the disk was full was made again:\n%s", run->err);
+}
+
+/* Each frame is lit by one of them, and both end when all are. */
+static void processes_share_a_batch(void **state)
+{
+    enum { PROCESSES = 3, FRAMES = 60 };
+    int done = 0, up_to_date = 0;
+    (void)state;
+    expect_run("for i in 1 2 3; do $T batch in/g.#.exr --frames 1-60 -o lit/#.png -o lit/#.exr "
+               "--precision "
+               "reference --json >sum.$i & done; wait",
+               0, "", "");
+    for (int i = 1; i <= PROCESSES; i++) {
+        char path[16];
+        snprintf(path, sizeof path, "sum.%d", i);
+        json_t *report = json_load_file(path, 0, NULL);
+        assert_non_null(report);
+        done += (int)json_integer_value(json_object_get(report, "done"));
+        up_to_date += (int)json_integer_value(json_object_get(report, "up_to_date"));
+        json_decref(report);
+    }
+    assert_int_equal(done, FRAMES);
+    assert_int_equal(up_to_date, (PROCESSES - 1) * FRAMES);
+    expect_run("ls -A lit | wc -l", 0, "120\n", "");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -167,6 +212,8 @@ int main(void)
         cmocka_unit_test_setup(a_full_device_lights_in_bands, enter),
         cmocka_unit_test_setup(long_runs_do_not_grow, enter),
         cmocka_unit_test_setup(a_signal_ends_a_batch_in_order, enter),
+        cmocka_unit_test_setup(a_full_disk_stops_a_batch, enter),
+        cmocka_unit_test_setup(processes_share_a_batch, enter),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
