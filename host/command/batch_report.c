@@ -33,6 +33,8 @@ static void format_sum(const batch *b, char *text, size_t size)
 static void tell(batch *b)
 {
     batch_notices_tell(&b->notices);
+    if (b->tally.of[BATCH_FAILED] > 0)
+        console_complain("what failed:");
     for (size_t i = 0; i < b->items->count; i++)
         if (b->results[i].outcome == BATCH_FAILED && b->results[i].sentence)
             console_complain(b->results[i].sentence);

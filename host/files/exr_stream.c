@@ -18,15 +18,15 @@
 
 static const size_t largest_allocation = (size_t)1 << 30; /* bytes; what a header may ask for */
 
-/* Memory did run out, on whatever thread and stream. The library says so too of headers that
+/* How often memory did run out, on whatever thread and stream. The library says so too of headers that
  * ask for more than is allowed, and of chunks whose packed sizes do not fit. */
-static atomic_bool ran_out;
+static atomic_uint allocations_failed;
 
 static void *bounded_allocation(size_t size)
 {
     void *made = size <= largest_allocation ? malloc(size) : NULL;
     if (!made && size <= largest_allocation)
-        atomic_store(&ran_out, true);
+        atomic_fetch_add(&allocations_failed, 1u);
     return made;
 }
 
@@ -135,7 +135,9 @@ static exr_context_initializer_t initializer_for(tl_exr_stream *stream)
 
 static void begin(tl_exr_stream *stream, const char *path, int descriptor)
 {
-    *stream = (tl_exr_stream){.path = path, .descriptor = descriptor};
+    *stream = (tl_exr_stream){.path = path,
+                              .descriptor = descriptor,
+                              .allocations_failed = atomic_load(&allocations_failed)};
     pthread_mutex_init(&stream->lock, NULL);
 }
 
@@ -208,7 +210,8 @@ tl_status tl_exr_check(tl_exr_stream *stream, exr_result_t result, tl_error *err
         return TL_OK;
     const char *words =
         stream->message[0] ? stream->message : exr_get_default_error_message(result);
-    if (result == EXR_ERR_OUT_OF_MEMORY && atomic_load(&ran_out))
+    if (result == EXR_ERR_OUT_OF_MEMORY &&
+        stream->allocations_failed != atomic_load(&allocations_failed))
         return tl_fail(err, TL_ERR_MEMORY, "%s: out of memory: %s", stream->path, words);
     if (result == EXR_ERR_WRITE_IO && stream->error_number != 0)
         return tl_write_failed(stream->path, stream->error_number, err);

@@ -15,9 +15,10 @@ typedef struct tl_exr_stream {
     const char *path;      /* for sentences; the caller's */
     int descriptor;        /* the caller's */
     pthread_mutex_t
-        lock;          /* chunks fail on several threads at once; the first failure is kept */
-    int error_number;  /* errno of a failed system call; 0 if none failed */
-    char message[512]; /* the library's own words; empty if it had none */
+        lock; /* chunks fail on several threads at once; the first failure is kept */
+    unsigned allocations_failed; /* of all streams, when this one was opened */
+    int error_number;            /* errno of a failed system call; 0 if none failed */
+    char message[512];           /* the library's own words; empty if it had none */
 } tl_exr_stream;
 
 /* Opens for reading: the header is parsed. Pictures beyond TL_MAX_EXTENT, and single allocations
