@@ -195,7 +195,7 @@ tl_status tl_atomic_file_commit(tl_atomic_file *file, tl_error *err)
         return status;
     }
     if (file->held)
-        file->held->is_renamed = true;
+        tl_held_name_renamed(file->held);
     if (file->temporary)
         sync_folder(file->target);
     release(file);

@@ -71,6 +71,13 @@ static void let_go(const tl_held_name *name)
     pthread_mutex_unlock(&lock);
 }
 
+void tl_held_name_renamed(tl_held_name *name)
+{
+    pthread_mutex_lock(&lock);
+    name->is_renamed = true;
+    pthread_mutex_unlock(&lock);
+}
+
 tl_held_name *tl_held_name_of(const char *target)
 {
     pthread_mutex_lock(&lock);

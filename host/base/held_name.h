@@ -12,7 +12,7 @@ typedef struct tl_held_name {
     char *target;    /* where links end; owned */
     char *temporary; /* beside it, the same for every process; owned */
     int descriptor;  /* of the temporary file, locked; -1: none */
-    bool is_renamed; /* it has become the target */
+    bool is_renamed; /* it has become the target; under the lock of all names */
     struct tl_held_name *next;
 } tl_held_name;
 
@@ -30,6 +30,9 @@ tl_status tl_held_name_take(const char *target,
 
 /* Removes the temporary file unless it has become the target, and the lock. Accepts none. */
 void tl_held_name_drop(tl_held_name *name);
+
+/* Notes that the temporary file has become the target. */
+void tl_held_name_renamed(tl_held_name *name);
 
 /* Whether a temporary file of that name is there. */
 bool tl_held_name_is_there(const char *target);

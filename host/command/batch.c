@@ -65,6 +65,7 @@ static void begin(batch *b)
     pthread_condattr_destroy(&clock);
     pthread_mutex_init(&b->tally.lock, NULL);
     pthread_mutex_init(&b->lighting, NULL);
+    json_object_seed(0); /* which the library would else do on the first thread that needs it */
     batch_notices_begin(&b->notices);
     batch_cost_begin(&b->cost);
 }
