@@ -14,6 +14,7 @@ tl_status frame_read(
     TRY(job_read(j, input, &options->import, options->lighting.strict, err));
     TRY(job_cut_region(j, &options->region, &options->lighting, &options->post, with->device,
                        err));
+    TRY(job_ready_lights(j, &options->lighting, err));
 done:
     return status;
 }

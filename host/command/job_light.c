@@ -157,7 +157,7 @@ done:
     return status;
 }
 
-static tl_status choose_lights(job *j, const lighting_choice *choice, tl_error *err)
+tl_status job_ready_lights(job *j, const lighting_choice *choice, tl_error *err)
 {
     tl_status status = TL_OK;
     if (j->lights_are_lent || j->lights_are_chosen)
@@ -186,7 +186,7 @@ tl_status job_light(job *j,
     options.memory_limit = lighter_memory(with, &options);
 
     console_stage("lighting");
-    TRY(choose_lights(j, choice, err));
+    TRY(job_ready_lights(j, choice, err));
     tell_model(j);
     tell_layers(j, &options);
     TRY(tl_image_create_parts(camera->width, camera->height, TL_AOVS_IN(options.split),

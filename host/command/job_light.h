@@ -38,6 +38,10 @@ tl_status job_choose_lights(job *j, const sky_choice *sky, tl_error *err);
  * in for them. Fails as tl_light_set_control does. */
 tl_status job_control_lights(job *j, const lighting_choice *choice, tl_error *err);
 
+/* Makes the lights those that the choice asks for, with sky, rig and radius, once: job_light does where nobody did
+ * before. Needs no device. Fails as job_choose_lights and job_control_lights do. */
+tl_status job_ready_lights(job *j, const lighting_choice *choice, tl_error *err);
+
 /* Makes lights that were given what frames are lit by, with the sky and the radius of the choice: for
  * job_lend_lights. Fails as sky_choose. */
 tl_status job_settle_lights(job *j, const lighting_choice *choice, tl_error *err);
