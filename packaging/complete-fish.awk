@@ -22,8 +22,8 @@ function value(kind, words) {
 }
 
 $1 == "command" {
-    printf "complete -c tilelight -n '__fish_use_subcommand; or __fish_seen_subcommand_from help' -a %s -d %s\n",
-           $2, brief($4)
+    print "complete -c tilelight -n '__fish_use_subcommand; or __fish_seen_subcommand_from help' -a " $2 \
+          " -d " brief($4)
     for_this = "complete -c tilelight -n '__fish_seen_subcommand_from " $2 "'"
 }
 $1 == "usage" { print for_this value($4, $5) }

@@ -16,7 +16,14 @@ function value(name, kind, words) {
     gsub(/:/, "\\:", name)
     if (kind != "" && words != "")
         return ":" name ":{compadd " words "; _files}"
-    return ":" name ":" (kind == "folder" ? "_files -/" : kind != "" ? "_files" : words != "" ? "(" words ")" : " ")
+    if (words != "")
+        return ":" name ":(" words ")"
+    return ":" name ":" (kind == "folder" ? "_files -/" : kind == "file" ? "_files" : " ")
+}
+
+# One more of a branch.
+function add(spec) {
+    branches = branches " \\\n                " quoted(spec)
 }
 
 $1 == "command" {
@@ -25,14 +32,14 @@ $1 == "command" {
     commands = commands "        " quoted($2 ":" text) "\n"
     branches = branches (branches == "" ? "" : " ;;\n") "        " $2 ")\n            _arguments -s :"
 }
-$1 == "usage" { branches = branches " \\\n                " quoted("*" ($4 $5 == "" ? ": : " : value($3, $4, $5))) }
+$1 == "usage" { add("*" ($4 $5 == "" ? ": : " : value($3, $4, $5))) }
 $1 == "option" {
     rest = brief($9) ($6 == "none" ? "" : ($6 == "optional" ? ":" : "") value($5, $7, $8))
     often = $9 ~ /given (for each|several times)/ ? "*" : ""
     if ($3 != "")
-        branches = branches " \\\n                " quoted(often $3 ($6 == "one" ? "+" : $6 == "optional" ? "-" : "") rest)
+        add(often $3 ($6 == "one" ? "+" : $6 == "optional" ? "-" : "") rest)
     if ($4 != "")
-        branches = branches " \\\n                " quoted(often $4 ($6 == "one" ? "=" : $6 == "optional" ? "=-" : "") rest)
+        add(often $4 ($6 == "one" ? "=" : $6 == "optional" ? "=-" : "") rest)
 }
 
 END {
@@ -41,6 +48,7 @@ END {
     print "local curcontext=$curcontext state line ret=1\nlocal -a commands\ncommands=("
     printf "%s)\n", commands "        " quoted("help:what a command takes") "\n"
     print "_arguments -C '1:command:->command' '*::argument:->argument' && ret=0"
-    print "case $state in\n    command) _describe command commands && ret=0 ;;\n    argument)\n        case $words[1] in"
-    print "        help) _describe command commands ;;\n" branches " ;;\n        esac && ret=0 ;;\nesac\nreturn ret"
+    print "case $state in\n    command) _describe command commands && ret=0 ;;"
+    print "    argument)\n        case $words[1] in\n        help) _describe command commands ;;"
+    print branches " ;;\n        esac && ret=0 ;;\nesac\nreturn ret"
 }

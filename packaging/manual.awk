@@ -132,7 +132,7 @@ $1 == "note" {
 function end_page(name, see) {
     page = name
     section("see also")
-    print see "\n.PP\nPages of docs/ are in\n.I share/doc/tilelight\nof where the program is installed." > page
+    print see "\n.PP\nPages of docs/ are in\n.I share/doc/tilelight\nof the prefix." > page
     close(page)
 }
 END {

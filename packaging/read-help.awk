@@ -18,15 +18,17 @@ BEGIN {
 
 # Words that a value may be: in capitals are names of values, other words are values themselves.
 function words_of_argument(argument,    count, parts, i, found) {
-    count = split(argument, parts, "|")
-    for (i = 1; i <= count && count > 1 && argument !~ /=/; i++)
+    if (argument !~ /[|]/ || argument ~ /=/)
+        return ""
+    count = split(argument, parts, /[| ]/)
+    for (i = 1; i <= count; i++)
         if (parts[i] ~ /^[a-z0-9]+$/)
             found = found " " parts[i]
     return found
 }
 
 function kind_of(argument) {
-    return argument ~ /FILE|\.(exr|json|png|cl|csv)|SCENE|^A B$/ ? "file" : argument ~ /DIR/ ? "folder" : ""
+    return argument ~ /FILE|\.(exr|json|png|cl|csv)/ ? "file" : argument ~ /DIR/ ? "folder" : ""
 }
 
 # "word: what it means." at the start of a sentence; "8, 16 or 32".
@@ -98,7 +100,10 @@ function print_option(head, text,    count, parts, i, short, long, argument, how
     sub(/^Usage: tilelight [a-z]* ?/, "")
     rest = $0
     sub(/\[OPTION\.\.\.\] ?/, "", rest)
-    print "usage", command, $0, kind_of(rest), (command == "layouts" ? unique(layouts) : "")
+    words = words_of_argument(rest)
+    if (rest ~ /^\[?NAME/ && command == "layouts")
+        words = layouts
+    print "usage", command, $0, (rest == "" || rest ~ /^\[?NAME/ ? "" : "file"), unique(words)
     next
 }
 /^Mandatory or optional arguments to long options/ { next }

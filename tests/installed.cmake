@@ -10,8 +10,8 @@ add_test(NAME installed_is_built
 set_tests_properties(installed_is_built PROPERTIES FIXTURES_SETUP installed LABELS unit)
 
 add_test(NAME help_files
-         COMMAND ${Python3_EXECUTABLE} ${outside}/help_files.py $<TARGET_FILE:tilelight> ${TILELIGHT_HELP_FILES}
-                 ${scratch}/help)
+         COMMAND ${Python3_EXECUTABLE} ${outside}/help_files.py $<TARGET_FILE:tilelight>
+                 ${TILELIGHT_HELP_FILES} ${scratch}/help)
 tl_test_properties(help_files command)
 
 if(TILELIGHT_LIGHTING)

@@ -35,8 +35,8 @@ def run(*arguments):
 
 def completed(questions):
     """What bash completes of each, a set of words; the last word is EMPTY where nothing is typed yet."""
-    done = subprocess.run(["bash", "-c", ASK, "bash", FOLDER / "tilelight.bash"], capture_output=True, text=True,
-                          input="".join(question + "\n" for question in questions), cwd=SCRATCH)
+    done = subprocess.run(["bash", "-c", ASK, "bash", FOLDER / "tilelight.bash"], cwd=SCRATCH, text=True,
+                          capture_output=True, input="".join(question + "\n" for question in questions))
     if done.stderr:
         faults.append("bash says: " + done.stderr)
     return [set(line.split()) for line in done.stdout.splitlines()]
@@ -68,13 +68,14 @@ def check_page(name, words):
     page = page_of(name)
     expect(name + ".1", words, set(re.findall(r"\\fB(.+?)\\fR", page)))
     if shutil.which("groff"):
-        said = subprocess.run(["groff", "-man", "-ww", "-z", "-Tutf8"], input=page, capture_output=True, text=True)
+        said = subprocess.run(["groff", "-man", "-ww", "-z", "-Tutf8"], input=page, text=True,
+                              capture_output=True)
         if said.stderr:
             faults.append(f"groff on {name}.1: {said.stderr}")
 
 
 def refusal(command, option, words):
-    """What the program says of an option with these words, one after the other; None: it takes all of them."""
+    """What the program says of an option with these words, one after the other; None: it takes them all."""
     said = run(command, *(f"{option}={word}" for word in words), "--stop-here")[1]
     return None if "unrecognized option" in said else said
 
@@ -112,7 +113,7 @@ def main():
             if value and option.startswith("--"):
                 asked.setdefault((option, value), (command, option))
     found = completed([f"tilelight {command} {option} = EMPTY" for command, option in asked.values()])
-    count = sum(check_words(command, option, words) for (command, option), words in zip(asked.values(), found))
+    count = sum(check_words(*question, words) for question, words in zip(asked.values(), found))
     print(*faults, sep="\n")
     print(len(listed), "commands,", sum(map(len, options.values())), "options,", count, "words")
     return 1 if faults or count < 50 else 0
