@@ -147,7 +147,9 @@ static json_t *script_of(template *t, const char *chunk)
     if (json_array_extend(words, more) != 0)
         t->lost = true;
     json_decref(more);
-    json_t *run = json_pack("{s:s, s:o}", "command", "sh", "args", words);
+    /* A worker that is told finishes the frames that it is at. */
+    json_t *run = json_pack("{s:s, s:o, s:{s:s}}", "command", "sh", "args", words,
+                            "cancelation", "mode", "NOTIFY_THEN_TERMINATE");
     if (t->plan->needs.seconds > 0 &&
         json_object_set_new(run, "timeout", json_integer((json_int_t)t->plan->needs.seconds)) !=
             0)

@@ -140,13 +140,15 @@ def check_script(check, where, script, names):
             where, script["actions"], ("onRun",)):
         return
     action = script["actions"]["onRun"]
-    if not check.keys(where, action, ("command",), ("args", "timeout")):
+    if not check.keys(where, action, ("command",), ("args", "timeout", "cancelation")):
         return
     words = [(f"{where} command", action["command"], 1)]
     words += [(f"{where} args", word, 0) for word in action.get("args", [])]
     for here, word, least in words:
         if check.text(here, word, least, sys.maxsize):
             check.format_string(here, word, names)
+    if "cancelation" in action and action["cancelation"] != {"mode": "NOTIFY_THEN_TERMINATE"}:  # 5.3.2
+        check.fault(f"{where} cancelation", f"is {action['cancelation']}")
     if "timeout" in action:
         check.whole(f"{where} timeout", action["timeout"], 1)
 
@@ -280,6 +282,7 @@ PLANTS = {
     "an expression": lambda t: light(t)["script"]["actions"]["onRun"]["args"].append("{{1 + 1}}"),
     "an empty command": set_at(*ACTION, "command", ""),
     "no time": set_at(*ACTION, "timeout", 0),
+    "an end of no kind": set_at(*ACTION, "cancelation", {"mode": "NOTIFY"}),
     "time as a string": set_at(*ACTION, "timeout", "60"),
     "too many chunks": set_at(*SPACE, "range", ["1"] * 1025),
     "no chunk": set_at(*SPACE, "range", []),
