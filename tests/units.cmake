@@ -11,6 +11,9 @@ add_test(NAME faults_apply
          COMMAND ${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/tests/faults/plant.py --check)
 set_tests_properties(faults_apply PROPERTIES LABELS unit)
 
+# Is the model of farms what can be added up by hand?
+add_test(NAME farm_model_adds_up COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tests/farm/check_model.py)
+set_tests_properties(farm_model_adds_up PROPERTIES LABELS unit)
 tl_test(test_farm_needs unit tl_batch)
 tl_test(test_farm_schedulers unit tl_batch)
 tl_test(test_tone unit tl_picture)
