@@ -14,6 +14,10 @@ set_tests_properties(faults_apply PROPERTIES LABELS unit)
 # Is the model of farms what can be added up by hand?
 add_test(NAME farm_model_adds_up COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/tests/farm/check_model.py)
 set_tests_properties(farm_model_adds_up PROPERTIES LABELS unit)
+# Are the tables of the page on farms those of the committed result, and is its night's log that of a good one?
+add_test(NAME farm_page_is_made
+         COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/scripts/make-farm-page --check)
+set_tests_properties(farm_page_is_made PROPERTIES LABELS unit)
 tl_test(test_farm_needs unit tl_batch)
 tl_test(test_farm_schedulers unit tl_batch)
 tl_test(test_tone unit tl_picture)
