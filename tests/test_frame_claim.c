@@ -9,6 +9,7 @@
 
 #include <dirent.h>
 #include <fcntl.h>
+#include <pthread.h>
 #include <signal.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -104,7 +105,7 @@ static bool make_item(int number, int log)
     return true;
 }
 
-enum { ITEMS = 200, RACERS = 3 };
+enum { ITEMS = 200, ITEMS_OF_THREADS = 40, RACERS = 3 };
 
 /* Round after round, until all is made. */
 static _Noreturn void race(void)
@@ -121,24 +122,17 @@ static _Noreturn void race(void)
     _exit(0);
 }
 
-static void each_is_made_once(void **state)
+/* Every item was made once, is there, and nothing else; then none is. */
+static void check_race(int count)
 {
-    int made[ITEMS] = {0}, number, status;
+    int made[ITEMS] = {0}, number;
     char text[32];
-    (void)state;
-    for (int i = 0; i < RACERS; i++)
-        if (fork() == 0)
-            race();
-    for (int i = 0; i < RACERS; i++) {
-        assert_true(wait(&status) > 0);
-        assert_int_equal(status, 0);
-    }
     FILE *log = fopen("log", "r");
     assert_non_null(log);
     while (fscanf(log, "%d", &number) == 1)
         made[number]++;
     fclose(log);
-    for (int i = 0; i < ITEMS; i++) {
+    for (int i = 0; i < count; i++) {
         item it;
         name_item(&it, i);
         if (made[i] != 1)
@@ -151,6 +145,48 @@ static void each_is_made_once(void **state)
     }
     assert_int_equal(count_names(), 1);
     remove("log");
+}
+
+static void each_is_made_once(void **state)
+{
+    int status;
+    (void)state;
+    for (int i = 0; i < RACERS; i++)
+        if (fork() == 0)
+            race();
+    for (int i = 0; i < RACERS; i++) {
+        assert_true(wait(&status) > 0);
+        assert_int_equal(status, 0);
+    }
+    check_race(ITEMS);
+}
+
+/* The same with threads, each of which goes through all. */
+static int thread_log;
+
+static void *race_of_thread(void *context)
+{
+    (void)context;
+    int left = ITEMS_OF_THREADS;
+    while (left > 0) {
+        left = 0;
+        for (int i = 0; i < ITEMS_OF_THREADS; i++)
+            left += !make_item(i, thread_log);
+    }
+    return NULL;
+}
+
+static void each_is_made_once_by_threads(void **state)
+{
+    pthread_t threads[RACERS];
+    (void)state;
+    thread_log = open("log", O_WRONLY | O_APPEND | O_CREAT, 0666);
+    for (int i = 0; i < RACERS; i++)
+        assert_int_equal(pthread_create(&threads[i], NULL, race_of_thread, NULL), 0);
+    for (int i = 0; i < RACERS; i++)
+        assert_int_equal(pthread_join(threads[i], NULL), 0);
+    close(thread_log);
+    check_race(ITEMS_OF_THREADS);
 }
 
 /* A process that is at an item when it is killed: its first output is begun, or in place and the second
@@ -275,9 +311,10 @@ static void (*before_lock)(void), (*before_unlink)(void);
 static void happen(void (**what)(void))
 {
     void (*const now)(void) = *what;
+    if (!now)
+        return;
     *what = NULL;
-    if (now)
-        now();
+    now();
 }
 
 /* In the place of the C library's. */
@@ -435,10 +472,15 @@ static void what_cannot_be_taken(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(each_is_made_once),      cmocka_unit_test(the_killed_are_followed),
-        cmocka_unit_test(leavings_are_swept),     cmocka_unit_test(in_one_process),
-        cmocka_unit_test(opened_too_early),       cmocka_unit_test(removed_while_locked),
-        cmocka_unit_test(removed_unless_renamed), cmocka_unit_test(names_lead_to_one_claim),
+        cmocka_unit_test(each_is_made_once),
+        cmocka_unit_test(each_is_made_once_by_threads),
+        cmocka_unit_test(the_killed_are_followed),
+        cmocka_unit_test(leavings_are_swept),
+        cmocka_unit_test(in_one_process),
+        cmocka_unit_test(opened_too_early),
+        cmocka_unit_test(removed_while_locked),
+        cmocka_unit_test(removed_unless_renamed),
+        cmocka_unit_test(names_lead_to_one_claim),
         cmocka_unit_test(what_cannot_be_taken),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);

@@ -8,6 +8,8 @@
 #include "tilelight/lights.h"
 
 #include <fcntl.h>
+#include <pthread.h>
+#include <stdbool.h>
 #include <sys/resource.h>
 #include <time.h>
 #include <unistd.h>
@@ -315,6 +317,53 @@ static void changes_within_a_tick(void **state)
     tl_record_cache_destroy(cache);
 }
 
+/* Workers of one batch, who share lights and have a capture each. */
+enum { WORKERS = 4, TURNS = 50 };
+
+typedef struct worker {
+    pthread_t thread;
+    tl_record_cache *cache;
+    char records[2][TL_RECORD_SIZE]; /* of either way to be lit */
+    bool failed;
+} worker;
+
+static void *work(void *context)
+{
+    worker *w = context;
+    for (int i = 0; i < TURNS; i++) {
+        char first[TL_RECORD_SIZE], second[TL_RECORD_SIZE];
+        w->failed |= tl_record_of(w->cache, "", "", given_lights, 2, first, NULL) != TL_OK ||
+                     tl_record_of(w->cache, "", "", own_lights, 1, second, NULL) != TL_OK;
+        w->failed |=
+            i > 0 && (strcmp(first, w->records[0]) != 0 || strcmp(second, w->records[1]) != 0);
+        memcpy(w->records[0], first, sizeof first);
+        memcpy(w->records[1], second, sizeof second);
+    }
+    return NULL;
+}
+
+static void threads_share_a_cache(void **state)
+{
+    (void)state;
+    worker workers[WORKERS] = {{.failed = false}};
+    tl_record_cache *cache = NULL;
+    tl_error err;
+    write_inputs();
+    ASSERT_OK(tl_record_cache_create(&cache, &err), err);
+    for (int i = 0; i < WORKERS; i++) {
+        workers[i].cache = cache;
+        assert_int_equal(pthread_create(&workers[i].thread, NULL, work, &workers[i]), 0);
+    }
+    for (int i = 0; i < WORKERS; i++)
+        assert_int_equal(pthread_join(workers[i].thread, NULL), 0);
+    for (int i = 0; i < WORKERS; i++) {
+        assert_false(workers[i].failed);
+        assert_string_equal(workers[i].records[0], workers[0].records[0]);
+        assert_string_equal(workers[i].records[1], workers[0].records[1]);
+    }
+    tl_record_cache_destroy(cache);
+}
+
 static const char written[] = "1 0123456789abcdef0123456789abcdef";
 
 /* Every kind of picture, `record` in it; [KINDS]. */
@@ -425,6 +474,7 @@ int main(void)
         cmocka_unit_test(what_is_missing_is_named),
         cmocka_unit_test(damaged_files_have_records),
         cmocka_unit_test(shared_files_are_read_once),
+        cmocka_unit_test(threads_share_a_cache),
         cmocka_unit_test(changes_within_a_tick),
         cmocka_unit_test(pictures_keep_it),
         cmocka_unit_test(pictures_cut_short_have_none),
