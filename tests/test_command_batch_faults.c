@@ -1,6 +1,6 @@
 /* Does a batch say what the world does to it, a disk that fills, a folder that cannot be written to, inputs
- * that vanish, and does the next run do the rest? Do several at one folder share its frames, and does one
- * that is killed cost no more than what it was at? */
+ * that vanish, and does the next run do the rest, to the bits of a calm one? Does one of two that is killed
+ * cost no more than what it was at? */
 #define _GNU_SOURCE
 #include "program.h"
 
@@ -128,31 +128,6 @@ static void inputs_that_vanish(void **state)
     expect_all("slow", "calm-slow");
 }
 
-/* What several that start together say that they have done, once each. */
-static void several_share_the_frames(void **state)
-{
-    (void)state;
-    expect_run("rm -f slow/*; for i in 1 2 3; do " SLOW "--json >../said.$i & done; wait", 0,
-               "", "");
-    json_int_t done = 0;
-    for (int i = 1; i <= 3; i++) {
-        char path[32];
-        json_error_t where;
-        snprintf(path, sizeof path, "../said.%d", i);
-        json_t *report = json_load_file(path, 0, &where);
-        assert_non_null(report);
-        const json_int_t own = json_integer_value(json_object_get(report, "done"));
-        assert_int_equal(own + json_integer_value(json_object_get(report, "up_to_date")),
-                         FRAMES);
-        print_message("process %d: %d frames\n", i, (int)own);
-        done += own;
-        json_decref(report);
-        remove(path);
-    }
-    assert_int_equal(done, FRAMES);
-    expect_all("slow", "calm-slow");
-}
-
 /* Killed, at moments that come later from time to time, while another is at the same frames. */
 static void one_of_two_is_killed(void **state)
 {
@@ -171,11 +146,9 @@ static void one_of_two_is_killed(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_folder_that_is_not_there),
-        cmocka_unit_test(inputs_that_vanish),
-        cmocka_unit_test(several_share_the_frames),
-        cmocka_unit_test(one_of_two_is_killed),
-        cmocka_unit_test(a_disk_that_fills),
+        cmocka_unit_test(a_folder_that_is_not_there), cmocka_unit_test(inputs_that_vanish),
+
+        cmocka_unit_test(one_of_two_is_killed),       cmocka_unit_test(a_disk_that_fills),
         cmocka_unit_test(a_disk_for_reading_alone),
     };
     return cmocka_run_group_tests(tests, enter, NULL);
