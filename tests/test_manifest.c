@@ -136,7 +136,7 @@ static const damage damages[] = {
     {"[" GOOD "]" GOOD, NULL, TL_ERR_FORMAT, {"line 2", "behind the array"}},
     {"[" GOOD ",]", NULL, TL_ERR_FORMAT, {"line 2"}},
     {"[" GOOD ", 7]", NULL, TL_ERR_FORMAT, {"line 2", "expected"}},
-    {GOOD GOOD, NULL, TL_ERR_ARGUMENT, {"a.png", "both"}},
+    {GOOD GOOD, NULL, TL_ERR_ARGUMENT, {"a.png", "twice"}},
     {GOOD, "o.png", TL_ERR_FORMAT, {"line 1", "leave one out"}},
     {"{\"input\": \"a.exr\"}\n{\"input\": \"b.exr\"}",
      "o.png",

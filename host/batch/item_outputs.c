@@ -101,11 +101,16 @@ static tl_status check_neighbours(const use *first, const use *second, tl_error 
 {
     if (!first->is_output || compare_paths(first->path, second->path) != 0)
         return TL_OK;
+    if (second->is_output && strcmp(first->item->input, second->item->input) == 0)
+        return tl_fail(err, TL_ERR_ARGUMENT, "%s: %s would be written there twice", first->path,
+                       first->item->input);
     if (second->is_output)
         return tl_fail(err, TL_ERR_ARGUMENT, "%s: both %s and %s would be written there",
                        first->path, first->item->input, second->item->input);
-    return tl_fail(err, TL_ERR_ARGUMENT, "%s: %s would be written over what %s needs",
-                   first->path, first->item->input, second->item->input);
+    return tl_fail(err, TL_ERR_ARGUMENT,
+                   "%s: is %s, and would be written over; choose another name for the output",
+                   first->path,
+                   second->path == second->item->input ? "an input" : "a lights file");
 }
 
 static size_t collect_uses(const tl_item_list *list, use *to)
