@@ -1,5 +1,5 @@
 # Compiled programs kept on disk.
-tl_test(test_program_cache unit tl_lighting)
+tl_test(test_program_cache unit tl_cache)
 tl_test(test_program_key device tl_lighting)
 tl_test(test_program_stale device tl_lighting)
 foreach(call clCreateProgramWithSource clCreateProgramWithBinary)

@@ -226,7 +226,7 @@ static void skies_are_measured(void **state)
     expect_run("$T bench --sky --samples 1 --seconds 0 --json y.json", 0, "1024 x 512", "");
     json_t *root = read_json("y.json");
     json_t *skies = json_object_get(root, "skies");
-    assert_int_equal(json_array_size(skies), 5);
+    assert_int_equal(json_array_size(skies), 6);
     for (size_t i = 0; i < json_array_size(skies); i++)
         assert_true(number_at(json_array_get(skies, i), "processor_ms.median") > 0.0);
     json_decref(root);

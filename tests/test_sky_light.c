@@ -1,14 +1,17 @@
 /* Is the light of a sky, as host/sky/ prepares it, that of the integrals it stands for: irradiance within
  * what nine harmonics may leave out, mirrored skies, and shares of the split sum? Also where a map is one
  * bright pixel, or seen at its poles and its seam? */
+#define _GNU_SOURCE /* mkdtemp, setenv */
 #include "oracle/sky.h"
 #include "sky_map.h"
 #include "sky_prefilter.h"
 #include "split_sum.h"
 #include "testing.h"
 
+#include <dirent.h>
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -206,6 +209,75 @@ static void mirrored_skies_are_those_of_their_integral(void **state)
     }
 }
 
+static tl_sky_map *map_again(const tl_light_set *set)
+{
+    tl_sky_map *map = NULL;
+    tl_error err;
+    ASSERT_OK(tl_sky_map_of(set, true, &map, &err), err);
+    return map;
+}
+
+static void assert_same_map(const tl_sky_map *got, const tl_sky_map *want)
+{
+    assert_int_equal(got->texel_count, want->texel_count);
+    assert_memory_equal(got->texels, want->texels, want->texel_count * sizeof *want->texels);
+    assert_memory_equal(got->moments, want->moments, sizeof want->moments);
+    assert_true(got->brightest == want->brightest);
+}
+
+/* The one file of a folder: its middle byte becomes another. */
+static void damage(const char *folder)
+{
+    DIR *opened = opendir(folder);
+    char path[2048];
+    int found = 0;
+    assert_non_null(opened);
+    for (const struct dirent *entry; (entry = readdir(opened));) {
+        if (entry->d_name[0] == '.')
+            continue;
+        snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
+        found++;
+    }
+    closedir(opened);
+    assert_int_equal(found, 1);
+    FILE *file = fopen(path, "r+b");
+    assert_non_null(file);
+    assert_int_equal(fseek(file, 100000, SEEK_SET), 0);
+    const int byte = fgetc(file);
+    assert_int_equal(fseek(file, 100000, SEEK_SET), 0);
+    assert_int_equal(fputc(byte ^ 1, file), byte ^ 1);
+    assert_int_equal(fclose(file), 0);
+}
+
+/* By the next process, which another sky between stands for. */
+static void a_sky_is_found_on_disk_unless_it_is_damaged(void **state)
+{
+    char folder[1024];
+    (void)state;
+    scratch_path(folder, sizeof folder, "skies-XXXXXX");
+    assert_non_null(mkdtemp(folder));
+    setenv("TILELIGHT_CACHE", folder, 1);
+    sky *s = sky_of(daylight);
+    assert_false(s->map->was_kept);
+    setenv("TILELIGHT_CACHE", "", 1);
+    sky *other = sky_of(pole);
+    setenv("TILELIGHT_CACHE", folder, 1);
+    tl_sky_map *found = map_again(&s->set);
+    assert_true(found->was_kept);
+    assert_same_map(found, s->map);
+    tl_sky_map_release(found);
+    damage(folder);
+    setenv("TILELIGHT_CACHE", "", 1);
+    tl_sky_map_release(map_again(&other->set));
+    setenv("TILELIGHT_CACHE", folder, 1);
+    found = map_again(&s->set);
+    assert_false(found->was_kept);
+    assert_same_map(found, s->map);
+    tl_sky_map_release(found);
+    release(other);
+    release(s);
+}
+
 static void shares_are_those_of_their_integral(void **state)
 {
     (void)state;
@@ -280,6 +352,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(irradiance_is_that_of_nine_harmonics),
         cmocka_unit_test(mirrored_skies_are_those_of_their_integral),
+        cmocka_unit_test(a_sky_is_found_on_disk_unless_it_is_damaged),
         cmocka_unit_test(shares_are_those_of_their_integral),
         cmocka_unit_test(the_split_sum_is_within_the_extremes),
     };

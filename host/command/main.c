@@ -111,7 +111,8 @@ static void print_help(void)
     puts("\n`tilelight COMMAND --help' lists the options of a command, `tilelight --version' "
          "the\n"
          "version. In the environment, TILELIGHT_THREADS limits the threads of the host, and\n"
-         "TILELIGHT_CACHE names the folder for compiled kernels (default: tilelight in\n"
+         "TILELIGHT_CACHE names the folder for compiled kernels and skies (default: tilelight "
+         "in\n"
          "$XDG_CACHE_HOME or ~/.cache); if it is empty, none are kept.");
     print_exit_statuses();
 }

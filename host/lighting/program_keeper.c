@@ -9,9 +9,6 @@
  * stopped or starved, and compiling beside it costs less than waiting on. */
 static const double most_patience_s = 20.0;
 
-/* Of a folder: 500 programs of a quarter of a megabyte. */
-static const uint64_t folder_limit = UINT64_C(128) << 20;
-
 /* PoCL takes 256 MB of address space to write a binary, and does not look whether it got them. */
 enum { ADDRESS_SPACE = 512 << 20 };
 
@@ -139,7 +136,7 @@ void tl_keeper_keep(tl_keeper *keeper, cl_program program)
                                (size_t)keeper->shape_count * sizeof keeper->shapes[0]};
         if (binary && tl_program_cache_write(keeper->folder, key_of(keeper), note,
                                              (tl_bytes){binary, size}))
-            tl_program_cache_trim(keeper->folder, folder_limit);
+            tl_program_cache_trim(keeper->folder, TL_CACHE_LIMIT);
         keeper->kept_count = keeper->shape_count; /* or not again, if it failed */
     }
     free(binary);

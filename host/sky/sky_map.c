@@ -1,5 +1,6 @@
 #include "sky_map.h"
 
+#include "sky_keep.h"
 #include "sky_light.h"
 #include "sky_prefilter.h"
 #include "sky_tree.h"
@@ -8,24 +9,16 @@
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
-#include <xxhash.h>
 
 /* What is given out: the map, what it is of, and how many hold it. */
 typedef struct held_map {
     tl_sky_map map; /* the first member: what is given out is a pointer to it */
-    XXH128_hash_t key;
+    char key[TL_SKY_KEY];
     unsigned holders;
 } held_map;
 
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 static held_map *last; /* one of its holders is this */
-
-static XXH128_hash_t key_of(const tl_sky_source *source)
-{
-    const XXH64_hash_t extent = (XXH64_hash_t)source->width << 32 | source->height;
-    return XXH3_128bits_withSeed(source->pixels,
-                                 3 * sizeof(float) * source->width * source->height, extent);
-}
 
 /* Texels of the finest level are narrower than those of the map; gradients have nothing that is narrow. */
 static uint32_t size_for(const tl_sky_source *source)
@@ -53,16 +46,13 @@ static void destroy(held_map *held)
     free(held);
 }
 
-static tl_status make_levels(const tl_sky_source *source, tl_sky_map *map, tl_error *err)
+static tl_status filter(const tl_sky_source *source, tl_sky_map *map, tl_error *err)
 {
     tl_status status = TL_OK;
     tl_sky_tree tree = {0};
-    map->size = size_for(source);
-    map->texel_count = tl_sky_level_start(TL_SKY_LEVELS, map->size);
-    map->texels = malloc(map->texel_count * sizeof *map->texels);
-    if (!map->texels)
-        return tl_fail(err, TL_ERR_MEMORY, "out of memory for the light of a sky");
+    TRY(tl_sky_moments_of(source, map->moments, err));
     TRY(tl_sky_tree_make(source, depth_for(map->size), &tree, err));
+    map->brightest = 0.0f;
     tl_sky_prefilter(&tree, map->size, map->texels);
     for (size_t i = 0; i < map->texel_count; i++)
         for (int c = 0; c < 3; c++)
@@ -73,17 +63,42 @@ done:
     return status;
 }
 
-static tl_status make(const tl_sky_source *source, bool mirrored, held_map **out, tl_error *err)
+/* Moments and levels. Gradients are made as fast as they are read. */
+static tl_status fill(const tl_sky_source *source,
+                      const char key[TL_SKY_KEY],
+                      tl_sky_map *map,
+                      tl_error *err)
+{
+    const bool is_worth_keeping = !source->own;
+    tl_status status = TL_OK;
+    map->size = size_for(source);
+    map->texel_count = tl_sky_level_start(TL_SKY_LEVELS, map->size);
+    map->texels = malloc(map->texel_count * sizeof *map->texels);
+    if (!map->texels)
+        return tl_fail(err, TL_ERR_MEMORY, "out of memory for the light of a sky");
+    map->was_kept = is_worth_keeping && tl_sky_recall(key, map);
+    if (map->was_kept)
+        return TL_OK;
+    TRY(filter(source, map, err));
+    if (is_worth_keeping)
+        tl_sky_keep(key, map);
+done:
+    return status;
+}
+
+static tl_status make(const tl_sky_source *source,
+                      bool mirrored,
+                      const char key[TL_SKY_KEY],
+                      held_map **out,
+                      tl_error *err)
 {
     tl_status status = TL_OK;
     held_map *made = calloc(1, sizeof *made);
-    const double start = tl_seconds();
     if (!made)
         return tl_fail(err, TL_ERR_MEMORY, "out of memory for the light of a sky");
-    TRY(tl_sky_moments_of(source, made->map.moments, err));
-    if (mirrored)
-        TRY(make_levels(source, &made->map, err));
-    made->map.seconds = tl_seconds() - start;
+    memcpy(made->key, key, TL_SKY_KEY);
+    TRY(mirrored ? fill(source, key, &made->map, err)
+                 : tl_sky_moments_of(source, made->map.moments, err));
     *out = made;
     made = NULL;
 done:
@@ -103,13 +118,13 @@ static tl_status find(const tl_sky_source *source,
                       tl_sky_map **out,
                       tl_error *err)
 {
-    const XXH128_hash_t key = key_of(source);
-    if (!last || !XXH128_isEqual(last->key, key) || (mirrored && !last->map.texels)) {
+    char key[TL_SKY_KEY];
+    tl_sky_key(source, size_for(source), key);
+    if (!last || memcmp(last->key, key, TL_SKY_KEY) != 0 || (mirrored && !last->map.texels)) {
         held_map *made = NULL;
-        const tl_status status = make(source, mirrored, &made, err);
+        const tl_status status = make(source, mirrored, key, &made, err);
         if (status != TL_OK)
             return status;
-        made->key = key;
         made->holders = 1;
         release_locked(last);
         last = made;

@@ -13,14 +13,14 @@ typedef struct tl_sky_map {
     size_t texel_count;
     float (*texels)[4]; /* [texel_count], of all levels (sky_prefilter.h), owned; or NULL */
     float brightest;    /* of them */
-    double seconds;     /* that it took to make */
+    bool was_kept;      /* it is from disk: sky_keep.h */
 } tl_sky_map;
 
 /* The finest level's side at most, texels: 0.35 degrees each on average. */
 #define TL_SKY_MOST_SIZE 512
 #define TL_SKY_LEAST_SIZE 128 /* of a map of few texels, and of gradients */
 
-/* Makes it, or finds it again where the last one that was made in this process is of the same sky. Without
+/* Makes it, or finds it again: in this process, where the last one is of the same sky, else on disk. Without
  * `mirrored` it may lack its levels, which take nearly all of the time. *out is shared: give it back with
  * tl_sky_map_release. Fails with TL_ERR_MEMORY. */
 tl_status tl_sky_map_of(const tl_light_set *set,

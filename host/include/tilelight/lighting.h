@@ -14,7 +14,7 @@
 extern "C" {
 #endif
 
-/* Compiled kernels are kept on disk: in the folder TILELIGHT_CACHE, else tilelight in XDG_CACHE_HOME or
+/* Compiled kernels, and skies prepared to light, are kept on disk: in the folder TILELIGHT_CACHE, else tilelight in XDG_CACHE_HOME or
  * in .cache in HOME. The first call that looks for devices sets POCL_CACHE_DIR in the environment for
  * as long as it runs, unless it is set: no other thread may read or change the environment then. */
 

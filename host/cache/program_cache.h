@@ -1,4 +1,5 @@
-/* Compiled programs kept on disk: a folder of entries, one a file, found by key.
+/* Compiled programs, and skies as surfaces mirror them, kept on disk: a folder of entries, one a file, found
+ * by key.
  *
  * An entry holds its whole key, so a collision of names is seen; a checksum of all its bytes, so
  * damage is; and its own lengths, so a cut is. What is damaged, cut, of an older format or of
@@ -25,6 +26,9 @@ typedef struct tl_program_entry {
     tl_bytes binary; /* aligned to 8 bytes */
     void *memory;    /* owned, holds both; NULL where there is no entry */
 } tl_program_entry;
+
+/* Of a folder, bytes: 500 programs of a quarter of a megabyte, or 20 skies. */
+#define TL_CACHE_LIMIT ((uint64_t)128 << 20)
 
 /* The folder by the environment: TILELIGHT_CACHE; else tilelight in XDG_CACHE_HOME, if that is an
  * absolute path; else .cache/tilelight in HOME. The caller frees it. NULL where caching is off:
