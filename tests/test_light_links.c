@@ -20,8 +20,8 @@ static const uint32_t present = TL_GROUP_BASE | TL_GROUP_PHONG;
 static const struct {
     uint32_t id;
     const char *name;
-} objects[] = {{7, "Lamp 1"},          {16777216, "Lamp 2"}, {16777217, "Wall*"},
-               {2147483649u, "Floor"}, {4294967295u, NULL},  {0, NULL}};
+} objects[] = {{7, "Lamp 1"},           {16777216, "Lamp 2"}, {16777217, "Wall*"},
+               {2147483649u, "Wall 2"}, {4294967295u, NULL},  {0, NULL}};
 
 typedef struct frame {
     tl_gbuffer *gbuffer;
@@ -57,8 +57,8 @@ static const struct {
 } links[] = {
     {0, 1, {{0, "Lamp*"}}, 1u << 0 | 1u << 1},
     {1, 1, {{0, "Lamp ?"}}, ~(1u << 0 | 1u << 1)},
-    {0, 1, {{0, "Wall*"}}, 1u << 2}, /* it is called so */
-    {0, 2, {{16777217, ""}, {0, "Floor"}}, 1u << 2 | 1u << 3},
+    {0, 1, {{0, "Wall*"}}, 1u << 2}, /* it is called so, and another fits */
+    {0, 2, {{16777217, ""}, {0, "Wall 2"}}, 1u << 2 | 1u << 3},
     {1, 1, {{4294967295u, ""}}, ~(1u << 4)},
     {0, 1, {{0, ""}}, 1u << 5},
     {0, 2, {{12345, ""}, {16777216, ""}}, 1u << 1},
@@ -317,7 +317,7 @@ static void ids_and_links_come_back_from_files(void **state)
                             brought.links[i].count * sizeof *brought.links[i].of);
     }
     ASSERT_OK(tl_lights_format(&brought, NULL, &text, &err), err);
-    assert_non_null(strstr(text, "\"link\": { \"only\": [16777217, \"Floor\"] }"));
+    assert_non_null(strstr(text, "\"link\": { \"only\": [16777217, \"Wall 2\"] }"));
     free(text);
     tl_gbuffer_destroy(read);
     tl_light_set_clear(&brought);
