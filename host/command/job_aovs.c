@@ -117,6 +117,7 @@ static tl_status light_group(const grouping *g,
     TRY(tl_image_create(camera->width, camera->height, out, err));
     TRY(tl_lighting_run_part(g->lighting, j->gbuffer, &j->lights, &part, *out, NULL, NULL, NULL,
                              err));
+    tl_lighting_let_go(g->lighting); /* for the image may make room for one of pixels */
     TRY(resolve(j, out, err));
 done:
     return status;

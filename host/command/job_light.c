@@ -198,6 +198,7 @@ tl_status job_light(job *j,
     tell_approximations(j, &options.approximations);
     if (told)
         TRY(explain_take(j, goal ? chosen : with->lighting, &options, &counts, told, err));
+    lighter_let_go(with);
     TRY(job_take_aovs(j, choice, with, err));
     report_counts(j, &counts);
     if (counts.first_kernel_s > 0.0)

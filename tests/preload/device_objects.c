@@ -1,6 +1,7 @@
 /* Stands between a program and OpenCL (LD_PRELOAD). Counts the objects that are made and released; where
  * DEVICE_OBJECTS names a file, it gets a line for each kind at the end: "buffer 12 12". With DEVICE_ROOM, in
- * bytes, the device runs out of memory beyond that: of buffers of its own, those over the host's memory are free. */
+ * bytes, the device runs out of memory beyond that: of buffers of its own, those over the host's memory are free.
+ * "dangling" counts memory that was freed while a buffer was over it. */
 #define _GNU_SOURCE
 #define CL_TARGET_OPENCL_VERSION 120
 #include <CL/cl.h>
@@ -16,6 +17,15 @@ static const char *const words[KIND_COUNT] = {"context", "queue",  "buffer",
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 static unsigned long made[KIND_COUNT], released[KIND_COUNT], refused;
 static size_t taken; /* bytes of the device's own buffers */
+
+/* Where buffers over the host's memory begin; NULL: a free place. */
+enum { MOST_HOSTS = 256 };
+static struct {
+    cl_mem buffer;
+    const void *begin;
+} hosts[MOST_HOSTS];
+static unsigned long dangling;
+static void (*free_of_library)(void *);
 
 static void *real(const char *name)
 {
@@ -39,9 +49,37 @@ __attribute__((destructor)) static void tell(void)
     for (int i = 0; out && i < KIND_COUNT; i++)
         fprintf(out, "%s %lu %lu\n", words[i], made[i], released[i]);
     if (out) {
-        fprintf(out, "refused %lu\n", refused);
+        fprintf(out, "dangling %lu 0\nrefused %lu\n", dangling, refused);
         fclose(out);
     }
+}
+
+__attribute__((constructor)) static void find_free(void)
+{
+    free_of_library = (void (*)(void *))real("free");
+}
+
+/* In the free place where `was` is NULL, else in that of the buffer. */
+static void note_host(cl_mem was, cl_mem buffer, const void *begin)
+{
+    pthread_mutex_lock(&lock);
+    for (int i = 0; i < MOST_HOSTS; i++)
+        if (hosts[i].buffer == was) {
+            hosts[i].buffer = buffer;
+            hosts[i].begin = begin;
+            break;
+        }
+    pthread_mutex_unlock(&lock);
+}
+
+void free(void *memory)
+{
+    pthread_mutex_lock(&lock);
+    for (int i = 0; memory && i < MOST_HOSTS; i++)
+        dangling += hosts[i].begin == memory;
+    pthread_mutex_unlock(&lock);
+    if (free_of_library)
+        free_of_library(memory);
 }
 
 /* A function that makes an object, and says so by what it returns. */
@@ -162,6 +200,8 @@ clCreateBuffer(cl_context context, cl_mem_flags flags, size_t size, void *host, 
     const cl_mem buffer = next(context, flags, size, host, code);
     if (buffer)
         count(BUFFER, 1);
+    if (buffer && flags & CL_MEM_USE_HOST_PTR)
+        note_host(NULL, buffer, host);
     return buffer;
 }
 
@@ -173,5 +213,6 @@ CL_API_ENTRY cl_int CL_API_CALL clReleaseMemObject(cl_mem buffer)
     taken -= size;
     pthread_mutex_unlock(&lock);
     count(BUFFER, 0);
+    note_host(buffer, NULL, NULL);
     return next(buffer);
 }
