@@ -33,6 +33,8 @@ static void must_tell_apart(const char *text)
     char *first = NULL, *second = NULL;
     if (tl_pattern_read(text, &pattern, &err) != TL_OK)
         return;
+    fuzz_must(pattern.before <= pattern.behind && pattern.behind <= strlen(text),
+              "a number from %zu to %zu", pattern.before, pattern.behind);
     fuzz_must(tl_pattern_fill(&pattern, 7, NULL, &first, &err) == TL_OK, "%s", err.message);
     fuzz_must(tl_pattern_fill(&pattern, -7, NULL, &second, &err) == TL_OK, "%s", err.message);
     fuzz_must((strcmp(first, second) != 0) == (pattern.digits > 0), "%s: %s and %s", text,
