@@ -5,7 +5,8 @@
 #   development  its headers, pkg-config and CMake files, and what users' kernels are written and tested with
 include(CMakePackageConfigHelpers)
 set(TILELIGHT_INSTALL_KERNELDIR ${CMAKE_INSTALL_INCLUDEDIR}/tilelight/kernels)
-set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/tilelight)
+# Not below Debian's folder of an architecture, where projects without a language do not look.
+set(package_dir lib/cmake/tilelight)
 
 install(TARGETS tilelight RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command PATTERN images EXCLUDE)
