@@ -1,6 +1,7 @@
 /* Do vector widths 1, 4, 8 and 16 and the C compiler give the same bits, in float and in double?
  *
- * Every light is tried on every pixel: hard on hard, hard on random, random on random. */
+ * Every light is tried on every pixel: hard on hard, hard on random, random on random. Nothing is culled, which
+ * in every width tests/test_layouts_lit.c does. */
 #include "hard_pixels.h"
 #include "rich_lights.h"
 
@@ -19,8 +20,7 @@ typedef struct bits_case {
     int spots;
     void (*make_sky)(
         tl_light_set *set); /* and with it lights of every kind of shape; or NULL */
-    tl_cull cull; /* none where others of the same width cull by the same text: a build less */
-    uint32_t tried; /* bit i: widths[i] */
+    uint32_t tried;         /* bit i: widths[i] */
 } bits_case;
 
 /* A row for every model, and pixels of all. */
@@ -72,7 +72,7 @@ static void widths_agree(tl_device *device, const bits_case *of)
             continue;
         options.precision = of->precision;
         options.vector_width = widths[w];
-        options.cull = of->cull;
+        options.cull = TL_CULL_NONE;
         snprintf(what, sizeof what, "precision %d, width %u, projection %d", of->precision,
                  widths[w], of->projection);
         light_frame(device, &options, g, &lights, got);
@@ -118,17 +118,14 @@ static void every_width_agrees_by_every_model(void **state)
     widths_agree(*state, &(bits_case){.precision = TL_PRECISION_FLOAT,
                                       .present = TL_GROUP_BASE | TL_GROUP_PHONG |
                                                  TL_GROUP_BRDF | TL_GROUP_TANGENT,
-                                      .cull = TL_CULL_NONE,
                                       .tried = 3});
     widths_agree(*state, &(bits_case){.precision = TL_PRECISION_FLOAT,
                                       .present = TL_GROUP_BASE | TL_GROUP_PHONG,
                                       .model = TL_MODEL_BLINN_PHONG_NORMALIZED,
-                                      .cull = TL_CULL_NONE,
                                       .tried = 4});
     widths_agree(*state, &(bits_case){.precision = TL_PRECISION_FLOAT,
                                       .present = TL_GROUP_BASE | TL_GROUP_METAL_ROUGH,
                                       .model = TL_MODEL_METAL_ROUGH,
-                                      .cull = TL_CULL_NONE,
                                       .tried = 8});
 }
 
@@ -198,7 +195,6 @@ static void every_width_agrees_on_shapes(void **state)
                     .present = TL_GROUP_BASE | TL_GROUP_PHONG | TL_GROUP_OCCLUSION,
                     .spots = 1,
                     .make_sky = make_gradient_sky,
-                    .cull = TL_CULL_NONE,
                     .tried = 1};
     widths_agree(*state, &of);
     of.make_sky = make_image_sky;
