@@ -30,10 +30,12 @@ static tl_light_set sky_of(double (*shape)(const double d[3]))
     return set;
 }
 
+/* A frame of surfaces of the set's model. */
 static tl_prepared prepared_under(const tl_light_set *set)
 {
     const tl_camera camera = camera_of(8, 8, TL_PERSPECTIVE);
-    tl_gbuffer *g = random_gbuffer(&camera, TL_GROUP_BASE, 3);
+    const uint32_t material = set->model == TL_MODEL_METAL_ROUGH ? TL_GROUP_METAL_ROUGH : 0;
+    tl_gbuffer *g = random_gbuffer(&camera, TL_GROUP_BASE | material, 3);
     tl_prepared p = {.memory_size = 0};
     tl_error err;
     ASSERT_OK(tl_prepare(g, set, &(tl_prepare_options){.tile_size = 16}, NULL, &p, &err), err);
@@ -150,6 +152,7 @@ static void count_across(hard_bench *bench,
 void hard_sky_seam(hard_bench *bench)
 {
     tl_light_set set = sky_of(smooth_sky);
+    set.model = TL_MODEL_METAL_ROUGH; /* which mirrors it */
     tl_prepared p = prepared_under(&set);
     const tl_numbers numbers = (tl_numbers)p.lights;
     const tl_view_sky_light *sky = sky_light_behind(&p.frame, numbers);
