@@ -19,7 +19,7 @@ enum { FRAMES = 3, OUTPUTS = 2 * FRAMES };
 
 /* [0]: what was there before, [1]: what is to be made. */
 typedef struct picture {
-    char name[8];
+    char name[32];
     unsigned char *bytes[2];
     size_t size[2];
 } picture;
@@ -37,10 +37,10 @@ static const struct {
 static void load_pictures(int which)
 {
     for (int i = 0; i < OUTPUTS; i++) {
-        char path[32];
+        char path[48];
         snprintf(pictures[i].name, sizeof pictures[i].name, "%d.%s", i / 2 + 1,
                  i % 2 ? "png" : "exr");
-        snprintf(path, sizeof path, "lit/%.7s", pictures[i].name);
+        snprintf(path, sizeof path, "lit/%.31s", pictures[i].name);
         pictures[i].bytes[which] = load_bytes(path, &pictures[i].size[which]);
     }
 }
@@ -84,9 +84,9 @@ static bool is_picture(const picture *of, int which, const unsigned char *bytes,
 static void check_pictures(const char *when, bool has_old, bool must_be_new)
 {
     for (int i = 0; i < OUTPUTS; i++) {
-        char path[32];
+        char path[48];
         size_t size;
-        snprintf(path, sizeof path, "lit/%.7s", pictures[i].name);
+        snprintf(path, sizeof path, "lit/%.31s", pictures[i].name);
         if (access(path, F_OK) != 0) {
             if (must_be_new || has_old)
                 fail_msg("%s: %s is not there", when, path);
