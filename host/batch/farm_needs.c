@@ -39,9 +39,9 @@ bool tl_farm_memory(const char *text, uint64_t *mib)
 
 bool tl_farm_time(const char *text, uint64_t *seconds)
 {
-    /* Of the fields behind the days, by how many there are. */
-    static const uint64_t with_days[3][3] = {{3600}, {3600, 60}, {3600, 60, 1}};
-    static const uint64_t without[3][3] = {{60}, {60, 1}, {3600, 60, 1}};
+    /* Of the fields, without days before them and with, by how many there are. */
+    static const uint64_t units[2][3][3] = {{{60}, {60, 1}, {3600, 60, 1}},
+                                            {{3600}, {3600, 60}, {3600, 60, 1}}};
     const uint64_t most = 365 * 86400;
     const bool days = strchr(text, '-') != NULL;
     uint64_t fields[3], total = 0;
@@ -54,7 +54,7 @@ bool tl_farm_time(const char *text, uint64_t *seconds)
     } while (*text == ':' && *++text);
     total *= 86400;
     for (size_t i = 0; i < count; i++)
-        total += fields[i] * (days ? with_days : without)[count - 1][i];
+        total += fields[i] * units[days][count - 1][i];
     if (*text || text[-1] == ':' || total == 0 || total > most)
         return false;
     *seconds = total;
