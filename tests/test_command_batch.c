@@ -161,9 +161,9 @@ static void a_dry_run_says_why(void **state)
     expect_run(batch, 0, "", "4 of 4");
     snprintf(command, sizeof command,
              "cp g.1.exr lit/1.png && $T light g.2.exr -o lit/2.png" TWIN
-             " && %s --dry-run --frames 1-5; ls -A . lit | wc -l",
+             " && %s --dry-run --frames 1-5",
              batch);
-    expect_run(command, 0,
+    expect_run(command, 1,
                "lit/2.png does not say what it was made from\nlit/3.png is up to date",
                "g.5.exr: cannot be opened");
     snprintf(command, sizeof command, "%s --dry-run --force --json", batch);

@@ -2,6 +2,7 @@
 #define _GNU_SOURCE
 #include "program.h"
 
+#include <ctype.h>
 #include <jansson.h>
 #include <unistd.h>
 
@@ -98,7 +99,9 @@ static json_int_t resident_bytes(const char *frames)
              frames);
     const program_run *run = expect_run(command, 0, "{", "");
     json_t *report = json_loads(run->out, 0, &where);
+    assert_non_null(report);
     const json_int_t bytes = json_integer_value(json_object_get(report, "most_resident_bytes"));
+    assert_true(bytes > 0);
     json_decref(report);
     return bytes;
 }
@@ -106,21 +109,15 @@ static json_int_t resident_bytes(const char *frames)
 /* Memory, descriptors, of which there are few, and files of the cache. A frame's planes are 100 kB. */
 static void long_runs_do_not_grow(void **state)
 {
-    enum { FRAMES_MORE = 300, BYTES_OF_A_FRAME = 10000 };
+    enum { FRAMES_MORE = 300, MOST_BYTES_A_FRAME = 10000 };
     (void)state;
     resident_bytes("1-2");
     const json_int_t few = resident_bytes("1-100");
-    expect_run(
-        "ls -A cache | wc -l >before; unset POCL_CACHE_DIR; ls -d /dev/shm/tilelight-driver-* "
-        "2>&- | wc -l >>before",
-        0, "", "");
+    expect_run("ls -A cache | wc -l >before", 0, "", "");
     const json_int_t many = resident_bytes("1-400");
-    expect_run(
-        "ls -A cache | wc -l >after; ls -d /dev/shm/tilelight-driver-* 2>&- | wc -l >>after;"
-        "head -1 before >b1; head -1 after >a1; cmp a1 b1; ls -A lit | grep -c tilelight-; "
-        "true",
-        0, "0\n", "");
-    if (many - few > FRAMES_MORE * BYTES_OF_A_FRAME)
+    expect_run("ls -A cache | wc -l | cmp - before && ! ls -A lit | grep tilelight-", 0, "",
+               "");
+    if (many - few > FRAMES_MORE * MOST_BYTES_A_FRAME)
         fail_msg("%d more frames took %lld bytes more", FRAMES_MORE, (long long)(many - few));
 }
 
@@ -146,7 +143,7 @@ static void a_signal_ends_a_batch_in_order(void **state)
         const program_run *run = expect_run(command, signals[i].exit_status, "\"failed\": 0",
                                             "interrupted: the frames under way are finished");
         assert_null(strstr(run->out, "\"left\": 0,"));
-        expect_run("ls -A lit | grep -v '^s[.][0-9]*[.]png$' | wc -l", 0, "0\n", "");
+        expect_run("! ls -A lit | grep -v '^s[.][0-9]*[.]png$'", 0, "", "");
     }
     /* A second one does not wait; what it leaves does not keep the next run from being right. */
     expect_run("rm -f lit/*; $T batch in/s.#.exr -o lit/s.#.png --precision reference & p=$!; "
@@ -157,7 +154,7 @@ static void a_signal_ends_a_batch_in_order(void **state)
         "$T batch in/s.#.exr -o lit/s.#.png --precision reference --frames 1-6 && $T light "
         "slow.exr -o one.png --precision reference && for i in 1 2 3 4 5 6; do $T compare "
         "one.png lit/s.$i.png --tolerance 0 || exit 9; done",
-        0, "", "6");
+        0, "", "of 6 frames were lit");
 }
 
 /* A file system of a test's own, where that is allowed, which is full, then read-only, then neither. */
@@ -177,7 +174,16 @@ static void a_full_disk_stops_a_batch(void **state)
         0, "full 5\nlocked 5\nfree 0\n120\n", "No space left on device; free some space");
     assert_non_null(strstr(run->err, "5 frames in a row failed alike"));
     assert_non_null(strstr(run->err, "Read-only file system"));
-    if (!strstr(run->err, " of 60 frames were lit, 4 were up to date"))
+    /* How many fit depends on which were under way as it filled; the last run has to leave those alone. */
+    const char *sum = strstr(run->err, " of 60 frames were lit");
+    assert_non_null(sum);
+    while (sum > run->err && isdigit((unsigned char)sum[-1]))
+        sum--;
+    const int lit = atoi(sum);
+    char left_alone[64];
+    snprintf(left_alone, sizeof left_alone, "%d of 60 frames were lit, %d were up to date",
+             60 - lit, lit);
+    if (lit < 1 || !strstr(run->err, left_alone))
         fail_msg("what was written before the disk was full was made again:\n%s", run->err);
 }
 
