@@ -85,6 +85,7 @@ static void what_is_no_set(void **state)
         "1-20000003y2",
         "1-10000001",
         "1-1y3",
+        "-999999999-999999999y1", /* at once */
     };
     (void)state;
     for (size_t i = 0; i < COUNT_OF(texts); i++) {

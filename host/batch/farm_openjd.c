@@ -246,7 +246,7 @@ tl_status tl_farm_print_openjd(const tl_farm_plan *plan, FILE *out, tl_error *er
 {
     tl_status status = TL_OK;
     template t = {plan, json_array(), json_array(), false};
-    char *description = description_of(plan);
+    char *description = description_of(plan), *text = NULL;
     json_t *root = NULL;
     TRY(check_chunks(plan, err));
     TRY(add_parameters(&t, err));
@@ -254,13 +254,15 @@ tl_status tl_farm_print_openjd(const tl_farm_plan *plan, FILE *out, tl_error *er
                      "jobtemplate-2023-09", "name", "tilelight", "description",
                      description ? description : "", "parameterDefinitions", t.parameters,
                      "steps", light_step(&t), gather_step(&t));
-    if (!root || !description || t.lost || json_dumpf(root, out, JSON_INDENT(2)) != 0) {
+    text = root && description && !t.lost ? json_dumps(root, JSON_INDENT(2)) : NULL;
+    if (!text) {
         status = tl_fail(err, TL_ERR_MEMORY, "host memory ran out while a template was made");
         goto done;
     }
-    fputc('\n', out);
+    fprintf(out, "%s\n", text);
 done:
     json_decref(root);
+    free(text);
     free(description);
     json_decref(t.words);
     json_decref(t.parameters);

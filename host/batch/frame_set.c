@@ -136,6 +136,9 @@ static tl_status collect_item(collector *to, const item *of, tl_error *err)
     if (count_of(of) > (long)TL_MOST_FRAMES)
         return tl_fail(err, TL_ERR_ARGUMENT, "%ld frames: %u at most in one set", count_of(of),
                        TL_MOST_FRAMES);
+    if (count_of(of) ==
+        0) /* all are multiples of a step of 1: there are no others to look for */
+        return TL_OK;
     if (of->kind == ':')
         return collect_stagger(to, of, err);
     return collect_run(to, of, of->step, of->kind == 'y', err);

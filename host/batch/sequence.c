@@ -41,8 +41,10 @@ static bool read_frame(const place *at, const char *name, int32_t *out)
     if (!isdigit((unsigned char)number[*number == '-']))
         return false;
     const long value = strtol(number, NULL, 10);
+    if (value < -TL_FARTHEST_FRAME || value > TL_FARTHEST_FRAME)
+        return false;
     *out = (int32_t)value;
-    return labs(value) <= TL_FARTHEST_FRAME;
+    return true;
 }
 
 /* Whether the path of that frame is the one with this name, and there. */
