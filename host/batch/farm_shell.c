@@ -5,9 +5,10 @@
 static const char plain[] =
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";
 
-/* POSIX.1-2017, Shell Command Language, 2.2.2: in single quotes every character is itself, but they cannot
- * hold a single quote. An apostrophe is so many quotes: one ends, one is escaped, one begins. */
-void tl_shell_word(FILE *out, const char *word)
+/* One word of a shell, whatever is in it: in single quotes where anything is that a shell would read. POSIX.1-2017,
+ * Shell Command Language, 2.2.2: there every character is itself, but they cannot hold a single quote. An
+ * apostrophe is so many quotes: one ends, one is escaped, one begins. */
+static void shell_word(FILE *out, const char *word)
 {
     if (word[0] && word[strspn(word, plain)] == '\0') {
         fputs(word, out);
@@ -26,16 +27,16 @@ void tl_shell_word(FILE *out, const char *word)
 void tl_farm_print_worker(FILE *out, const tl_farm_plan *plan)
 {
     fputs("light() {\n    cd -- ", out);
-    tl_shell_word(out, plan->folder);
+    shell_word(out, plan->folder);
     fputs(" &&\n        ", out);
-    tl_shell_word(out, plan->program);
+    shell_word(out, plan->program);
     fputs(" batch", out);
     for (size_t i = 0; i <= plan->argument_count; i++) {
         if (i == plan->chunk_at)
             fputs(" \"$1\"", out);
         if (i < plan->argument_count) {
             fputc(' ', out);
-            tl_shell_word(out, plan->arguments[i]);
+            shell_word(out, plan->arguments[i]);
         }
     }
     fputs("\n}\n", out);

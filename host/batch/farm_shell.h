@@ -1,13 +1,10 @@
-/* Words and functions of shell scripts that hand chunks to workers. */
+/* Parts of shell scripts that hand chunks to workers. */
 #ifndef TL_FARM_SHELL_H
 #define TL_FARM_SHELL_H
 
 #include "farm_plan.h"
 
 #include <stdio.h>
-
-/* One word of a shell, whatever is in it: in single quotes where anything is that a shell would read. */
-void tl_shell_word(FILE *out, const char *word);
 
 /* A function `light`: `light CHUNK` is one worker. */
 void tl_farm_print_worker(FILE *out, const tl_farm_plan *plan);

@@ -44,8 +44,8 @@ typedef struct tl_batch_request {
  * for several items, a number for an item without frame, a manifest's item with outputs where the request
  * has some. Paths are compared as written, but for "./" and "//".
  *
- * Fails with TL_ERR_ARGUMENT, TL_ERR_READ (a folder or manifest), TL_ERR_FORMAT (a manifest, with the line)
- * or TL_ERR_MEMORY. *out is replaced on success and left alone on failure; the caller clears it. */
+ * Fails with TL_ERR_ARGUMENT, TL_ERR_READ (a folder or manifest), TL_ERR_FORMAT (a manifest, with the line,
+ * or of more than 256 MiB) or TL_ERR_MEMORY. *out is replaced on success and left alone on failure; the caller clears it. */
 tl_status tl_items_list(const tl_batch_request *request, tl_item_list *out, tl_error *err);
 
 #endif

@@ -210,23 +210,21 @@ static tl_status add_file(tl_record_cache *cache,
                           tl_error *err)
 {
     tl_status status = TL_OK;
-    tl_named_files names = {NULL, 0};
     known found = {.path = NULL};
     bool is_known = false;
     if (file->role != TL_RECORD_CAPTURE)
         TRY(recall(cache, file, &is_known, &found, err));
     if (!is_known)
         TRY(look(file, &found, err));
-    TRY(copy_names(&found.names, &names, err));
+    const bool is_new = !is_known && file->role != TL_RECORD_CAPTURE && is_settled(&found.seen);
     XXH128_canonical_t hash;
     XXH128_canonicalFromHash(&hash, found.hash);
     XXH3_128bits_update(state, &hash, sizeof hash);
-    if (!is_known && file->role != TL_RECORD_CAPTURE && is_settled(&found.seen))
+    for (size_t i = 0; i < found.names.count; i++)
+        TRY(add_file(cache, &(tl_record_file){found.names.of[i], TL_RECORD_PLAIN}, state, err));
+    if (is_new)
         keep(cache, file, &found);
-    for (size_t i = 0; i < names.count; i++)
-        TRY(add_file(cache, &(tl_record_file){names.of[i], TL_RECORD_PLAIN}, state, err));
 done:
-    tl_named_files_clear(&names);
     forget(&found);
     return status;
 }
@@ -260,10 +258,4 @@ tl_status tl_record_of(tl_record_cache *cache,
 done:
     XXH3_freeState(state);
     return status;
-}
-
-int tl_record_stands(const char *output, const char *record)
-{
-    char found[TL_IMAGE_RECORD_SIZE];
-    return tl_image_record(output, found) && strcmp(found, record) == 0;
 }

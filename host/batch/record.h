@@ -47,8 +47,4 @@ tl_status tl_record_of(tl_record_cache *cache,
                        char out[TL_RECORD_SIZE],
                        tl_error *err);
 
-/* Whether the file is there, and whole as far as its start and end tell, and has that record:
- * tl_image_record. */
-int tl_record_stands(const char *output, const char *record);
-
 #endif

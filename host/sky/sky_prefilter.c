@@ -41,7 +41,11 @@ size_t tl_sky_level_start(unsigned level, uint32_t most)
     return start;
 }
 
-double tl_sky_level_near(double alpha)
+/* A piece of the sky counts as a whole where its radius is a small share of the width of K there,
+ * sqrt(apart^2 + 4 alpha^2): smaller where K has most of its light than where it has little, and the mean over
+ * K of the share's square is the square of this at most. What is wide is looked at more closely, for there are
+ * few texels of it. */
+static double level_near(double alpha)
 {
     return 0.2 * cbrt(tl_sky_level_alpha(0) / alpha);
 }
@@ -72,7 +76,7 @@ static void cell_direction(double x, double y, uint32_t size, float out[3])
 
 static void begin_tile(tl_sky_tile *t, double alpha, uint32_t x, uint32_t y, uint32_t size)
 {
-    const double near = tl_sky_level_near(alpha);
+    const double near = level_near(alpha);
     const double steepness = near * near / (2.0 * alpha * mean_width(alpha));
     *t = (tl_sky_tile){.alpha2 = (float)(alpha * alpha),
                        .most_share2 = (float)(most_share * most_share),

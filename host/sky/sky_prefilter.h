@@ -18,13 +18,9 @@ size_t tl_sky_level_start(unsigned level, uint32_t most);
  *     K(c) = max(0, c) / (1 - c + alpha^2 (1 + c))^2,   c the cosine of the angle from it,
  *
  * which is D n.l of metal-rough with n = v = the direction, up to a constant: Karis, "Real Shading in Unreal
- * Engine 4", SIGGRAPH 2013, his sum over samples as the integral it stands for. A piece of the sky counts as
- * a whole where its radius is a small share of the width of K there, sqrt(apart^2 + 4 alpha^2): smaller where
- * K has most of its light than where it has little, and the mean over K of the share's square is the square
- * of this at most. What is wide is looked at more closely, for there are few texels of it. */
-double tl_sky_level_near(double alpha);
-
-/* All levels: [tl_sky_level_start(TL_SKY_LEVELS)][4], R, G, B, 0, as kernels/sky_light.h reads them. On all
+ * Engine 4", SIGGRAPH 2013, his sum over samples as the integral it stands for.
+ *
+ * All levels: [tl_sky_level_start(TL_SKY_LEVELS)][4], R, G, B, 0, as kernels/sky_light.h reads them. On all
  * threads; the bits do not depend on how many. */
 void tl_sky_prefilter(const tl_sky_tree *tree, uint32_t most, float (*texels)[4]);
 

@@ -5,15 +5,6 @@
 
 static const double pi = 3.14159265358979323846;
 
-void tl_sky_direction(const tl_sky_source *source, double x, double y, double out[3])
-{
-    const double longitude = 2.0 * pi * (x / source->width - 0.5);
-    const double colatitude = pi * y / source->height;
-    out[0] = sin(colatitude) * sin(longitude);
-    out[1] = cos(colatitude);
-    out[2] = sin(colatitude) * cos(longitude);
-}
-
 static void set_rows(const tl_light_set *set, float (*rows)[3])
 {
     for (int row = 0; row < TL_GRADIENT_ROWS; row++) {

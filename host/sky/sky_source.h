@@ -24,8 +24,4 @@ tl_status tl_sky_source_of(const tl_light_set *set, tl_sky_source *out, tl_error
 /* Accepts one that is all zero. */
 void tl_sky_source_clear(tl_sky_source *source);
 
-/* The direction (right, up, ahead), unit, at a place of the map: (0, 0) is the upper left corner of the first
- * texel, (width, height) the lower right of the last. */
-void tl_sky_direction(const tl_sky_source *source, double x, double y, double out[3]);
-
 #endif

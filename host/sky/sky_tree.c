@@ -63,8 +63,8 @@ static void finish(const sky_sums *of, tl_sky_node *node)
     node->solid_angle = (float)of->solid_angle;
 }
 
-/* What is added to a texel's light as weight: a thousandth of the brightest row's mean would hide nothing,
- * and it is never 0 where there is light at all. */
+/* What is added to a texel's light as weight: a thousandth of the mean of all texels' channels, which hides
+ * nothing; 1 where there is no light, so that black has a direction too. */
 static double weight_floor(const tl_sky_source *source)
 {
     double sum = 0.0;

@@ -125,7 +125,7 @@ static void fill_rows(void *context, size_t begin, size_t end)
 
 static void fill(void)
 {
-    double lost[TL_SKY_TABLE]; /* of no roughness: one row's are all rows' */
+    double lost[TL_SKY_TABLE]; /* the same at every roughness */
     for (int column = 0; column < TL_SKY_TABLE; column++)
         lost[column] = lost_at(cosine_of(column));
     tl_parallel(TL_SKY_TABLE, 1, fill_rows, lost);

@@ -599,7 +599,7 @@ FAULTS = [
     Fault("batch-line", "lines of a manifest are not counted", "host/batch/manifest.c",
           "r->line += *r->at == '\\n';", "r->line += 0;", "test_manifest", []),
     Fault("record-named", "the first file that lights name does not count", "host/batch/record.c",
-          "for (size_t i = 0; i < names.count; i++)", "for (size_t i = 1; i < names.count; i++)",
+          "for (size_t i = 0; i < found.names.count; i++)", "for (size_t i = 1; i < found.names.count; i++)",
           "test_record", []),
     Fault("record-text", "where options end does not show", "host/batch/record.c",
           "XXH3_128bits_update(state, text, strlen(text) + 1);", "XXH3_128bits_update(state, text, strlen(text));",

@@ -12,7 +12,6 @@
 #include "job_light.h"
 #include "try.h"
 
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -143,11 +143,9 @@ static bool start_worker(batch *b, pthread_t *thread)
 
 tl_status batch_run(batch *b, batch_progress *progress, tl_error *err)
 {
-    const uint32_t wanted =
-        b->options->in_flight ? b->options->in_flight : batch_usual_in_flight();
     pthread_t threads[BATCH_MOST_WORKERS];
     uint32_t started = 0;
-    while (started < wanted && start_worker(b, &threads[started]))
+    while (started < b->options->in_flight && start_worker(b, &threads[started]))
         started++;
     if (started == 0)
         return tl_fail(err, TL_ERR_MEMORY, "no thread can be started");

@@ -36,7 +36,7 @@ typedef struct batch_options {
     tl_batch_request request; /* but for outputs and lights, which the frame has */
     bool force, dry_run;
     uint32_t
-        in_flight; /* workers, at most BATCH_MOST_WORKERS; 0: as many as suit the machine */
+        in_flight; /* workers, at most BATCH_MOST_WORKERS; 0 before it is run: as many as suit the machine */
     batch_progress_kind progress;
 } batch_options;
 

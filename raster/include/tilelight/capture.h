@@ -34,15 +34,15 @@ typedef struct tl_capture_options {
     const char *animation;
     double time;
     bool has_time; /* false: time is 0 where an animation is named */
+    /* What is done to the scene's own lights, where it has any, before shadow maps are made: such as to switch
+     * some off. NULL: nothing. */
+    tl_status (*change_lights)(const void *context, tl_light_set *lights, tl_error *err);
+    const void *change_context;
     /* Shadow maps: of the lights that ask for them among shadow_lights, NULL: among the scene's own; of all
      * of the scene's own with all_shadows, which then ask for them. shadow_memory: bytes of all maps at most,
      * 0: TL_DEFAULT_SHADOW_MEMORY. shadow_near: m ahead of a light from which on surfaces are in its map, for
      * lamps that would keep their own light in; 0: a 100000th of the scene's extent. */
     const tl_light_set *shadow_lights;
-    /* What is done to the scene's own lights, where it has any, before that: such as to switch some off. NULL:
-     * nothing. */
-    tl_status (*change_lights)(const void *context, tl_light_set *lights, tl_error *err);
-    const void *change_context;
     bool all_shadows;
     uint64_t shadow_memory;
     double shadow_near;
