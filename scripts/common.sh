@@ -64,6 +64,14 @@ as_root() {
     fi
 }
 
+# What computers need that only light, as build/lighting: not optimised, and without the check of kernels, so that it
+# is built sooner. Usage: build_lighting_half TARGET...
+build_lighting_half() {
+    cmake -G Ninja -S . -B build/lighting -DTILELIGHT_RASTER=OFF -DTILELIGHT_TESTS=OFF -DCMAKE_BUILD_TYPE=Debug \
+        -DCMAKE_C_FLAGS_DEBUG=-O0 -DTL_CLANG="$(command -v true)" &&
+        cmake --build build/lighting --target "$@"
+}
+
 # Installs what is missing of the sections; where nothing is, not even apt-get is called.
 # Usage: install_packages SECTION...
 install_packages() {

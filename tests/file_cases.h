@@ -6,6 +6,7 @@
 
 #include "tilelight/gbuffer.h"
 
+#include <dirent.h>
 #include <sys/stat.h>
 
 /* The caller frees it; fails the test where the file cannot be read. */
@@ -29,6 +30,27 @@ static inline void save_bytes(const char *path, const void *bytes, size_t size)
     assert_non_null(file);
     assert_int_equal(fwrite(bytes, 1, size, file), size);
     assert_int_equal(fclose(file), 0);
+}
+
+static inline void assert_holds(const char *path, const char *text)
+{
+    size_t size;
+    unsigned char *bytes = load_bytes(path, &size);
+    assert_int_equal(size, strlen(text));
+    assert_memory_equal(bytes, text, size);
+    free(bytes);
+}
+
+/* In a folder, but for "." and "..". */
+static inline int count_names(const char *path)
+{
+    DIR *opened = opendir(path);
+    assert_non_null(opened);
+    int count = 0;
+    for (const struct dirent *entry; (entry = readdir(opened));)
+        count += strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0;
+    closedir(opened);
+    return count;
 }
 
 /* Fails the test unless `step` failed with `wanted` and a sentence that has every word of the

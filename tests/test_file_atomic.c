@@ -7,7 +7,6 @@
 #include "full_device.h"
 #include "tilelight/gbuffer_file.h"
 
-#include <dirent.h>
 #include <fcntl.h>
 #include <pthread.h>
 #include <sched.h>
@@ -34,17 +33,6 @@ static int make_folder(void **state)
     return 0;
 }
 
-static int count_names(const char *path)
-{
-    DIR *opened = opendir(path);
-    assert_non_null(opened);
-    int count = 0;
-    for (const struct dirent *entry; (entry = readdir(opened));)
-        count += strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0;
-    closedir(opened);
-    return count;
-}
-
 static int remove_folder(void **state)
 {
     (void)state;
@@ -53,15 +41,6 @@ static int remove_folder(void **state)
     if (left > 0)
         print_error("%d names left in %s\n", left, folder);
     return left;
-}
-
-static void assert_holds(const char *path, const char *text)
-{
-    size_t size;
-    unsigned char *bytes = load_bytes(path, &size);
-    assert_int_equal(size, strlen(text));
-    assert_memory_equal(bytes, text, size);
-    free(bytes);
 }
 
 static tl_status write_text(const char *path, const char *text, tl_error *err)

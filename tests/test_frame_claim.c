@@ -7,7 +7,6 @@
 #include "file_cases.h"
 #include "whole_file.h"
 
-#include <dirent.h>
 #include <fcntl.h>
 #include <pthread.h>
 #include <signal.h>
@@ -25,22 +24,10 @@ static int make_folder(void **state)
     return chdir(folder);
 }
 
-/* In the folder, but for ".", "..". */
-static int count_names(void)
-{
-    DIR *opened = opendir(".");
-    assert_non_null(opened);
-    int count = 0;
-    for (const struct dirent *entry; (entry = readdir(opened));)
-        count += strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0;
-    closedir(opened);
-    return count;
-}
-
 static int remove_folder(void **state)
 {
     (void)state;
-    const int left = count_names();
+    const int left = count_names(".");
     if (left > 0)
         print_error("%d names left in %s\n", left, folder);
     return left | chdir("/") | rmdir(folder);
@@ -49,15 +36,6 @@ static int remove_folder(void **state)
 static bool is_there(const char *path)
 {
     return access(path, F_OK) == 0;
-}
-
-static void assert_holds(const char *path, const char *text)
-{
-    size_t size;
-    unsigned char *bytes = load_bytes(path, &size);
-    assert_int_equal(size, strlen(text));
-    assert_memory_equal(bytes, text, size);
-    free(bytes);
 }
 
 /* The item that racers are at: two outputs of a number, which is what they hold. */
@@ -143,7 +121,7 @@ static void check_race(int count)
             remove(it.outputs[k]);
         }
     }
-    assert_int_equal(count_names(), 1);
+    assert_int_equal(count_names("."), 1);
     remove("log");
 }
 
@@ -214,7 +192,7 @@ static void kill_one_at_work(char *const *outputs, bool first_is_made)
     ASSERT_OK(tl_frame_claim_take(outputs, 2, &claim, &err), err);
     assert_null(claim);
     tl_frame_claim_sweep(outputs, 2);
-    assert_int_equal(count_names(), 2);
+    assert_int_equal(count_names("."), 2);
     kill(child, SIGKILL);
     assert_int_equal(waitpid(child, &status, 0), child);
     assert_true(WIFSIGNALED(status));
@@ -231,7 +209,7 @@ static void the_killed_are_followed(void **state)
     for (int made = 0; made <= 1; made++) {
         tl_frame_claim *claim = NULL;
         kill_one_at_work(it.outputs, made);
-        assert_int_equal(count_names(), 2);
+        assert_int_equal(count_names("."), 2);
         ASSERT_OK(tl_frame_claim_take(it.outputs, 2, &claim, &err), err);
         assert_non_null(claim);
         ASSERT_OK(tl_whole_file_write(it.outputs[0], "a", 1, &err), err);
@@ -239,7 +217,7 @@ static void the_killed_are_followed(void **state)
         tl_frame_claim_end(claim);
         assert_holds(it.outputs[0], "a");
         assert_holds(it.outputs[1], "b");
-        assert_int_equal(count_names(), 2);
+        assert_int_equal(count_names("."), 2);
         remove(it.outputs[0]);
         remove(it.outputs[1]);
     }
@@ -252,10 +230,10 @@ static void leavings_are_swept(void **state)
     item it;
     name_item(&it, 1);
     kill_one_at_work(it.outputs, true);
-    assert_int_equal(count_names(), 2);
+    assert_int_equal(count_names("."), 2);
     tl_frame_claim_sweep(it.outputs, 2);
     tl_frame_claim_sweep(it.outputs, 2);
-    assert_int_equal(count_names(), 1);
+    assert_int_equal(count_names("."), 1);
     remove(it.outputs[0]);
 }
 
@@ -277,12 +255,12 @@ static void in_one_process(void **state)
     assert_null(second);
     ASSERT_OK(tl_atomic_file_begin(&file, it.outputs[0], &err), err);
     ASSERT_OK(tl_atomic_file_begin(&other, "other", &err), err);
-    assert_int_equal(count_names(), 3);
+    assert_int_equal(count_names("."), 3);
     tl_atomic_file_abandon(&other);
     /* A claim outlives what is given up, and is begun again empty. */
     assert_int_equal(tl_write_all(file.descriptor, "given up", 8), 0);
     tl_atomic_file_abandon(&file);
-    assert_int_equal(count_names(), 2);
+    assert_int_equal(count_names("."), 2);
     ASSERT_OK(tl_frame_claim_take(it.outputs, 2, &second, &err), err);
     assert_null(second);
     ASSERT_OK(tl_whole_file_write(it.outputs[0], "a", 1, &err), err);
@@ -293,15 +271,15 @@ static void in_one_process(void **state)
     /* Written again, it is as any file. */
     ASSERT_OK(tl_whole_file_write(it.outputs[0], "again", 5, &err), err);
     assert_holds(it.outputs[0], "again");
-    assert_int_equal(count_names(), 2);
+    assert_int_equal(count_names("."), 2);
     tl_frame_claim_end(first);
-    assert_int_equal(count_names(), 1);
+    assert_int_equal(count_names("."), 1);
     ASSERT_OK(tl_frame_claim_take(turned, 2, &second, &err), err);
     assert_non_null(second);
     tl_frame_claim_end(second);
     tl_frame_claim_end(NULL);
     assert_holds(it.outputs[0], "again");
-    assert_int_equal(count_names(), 1);
+    assert_int_equal(count_names("."), 1);
     remove(it.outputs[0]);
 }
 
@@ -371,7 +349,7 @@ static void opened_too_early(void **state)
         if (i == 0)
             assert_holds(only[0], "made");
         remove(only[0]);
-        assert_int_equal(count_names(), 0);
+        assert_int_equal(count_names("."), 0);
     }
 }
 
@@ -404,11 +382,11 @@ static void removed_unless_renamed(void **state)
     ASSERT_OK(tl_whole_file_write(only[0], "made", 4, &err), err);
     ASSERT_OK(tl_frame_claim_take(only, 1, &second, &err), err);
     assert_non_null(second);
-    assert_int_equal(count_names(), 2);
+    assert_int_equal(count_names("."), 2);
     tl_frame_claim_end(first);
-    assert_int_equal(count_names(), 2);
+    assert_int_equal(count_names("."), 2);
     tl_frame_claim_end(second);
-    assert_int_equal(count_names(), 1);
+    assert_int_equal(count_names("."), 1);
     remove(only[0]);
 }
 
@@ -440,7 +418,7 @@ static void names_lead_to_one_claim(void **state)
     ASSERT_OK(tl_whole_file_write(long_name, "x", 1, &err), err);
     tl_frame_claim_end(first);
     tl_frame_claim_end(second);
-    assert_int_equal(count_names(), 1);
+    assert_int_equal(count_names("."), 1);
     remove(long_name);
 }
 
@@ -464,7 +442,7 @@ static void what_cannot_be_taken(void **state)
         snprintf(second, sizeof second, "%s", cases[i].output);
         assert_refused(second, tl_frame_claim_take(outputs, 2, &claim, &err), TL_ERR_WRITE,
                        &err, cases[i].words);
-        assert_int_equal(count_names(), 0);
+        assert_int_equal(count_names("."), 0);
         tl_frame_claim_sweep(outputs, 2);
     }
 }

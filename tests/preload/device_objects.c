@@ -101,10 +101,6 @@ void free(void *memory)
         return next(object);                                                        \
     }
 
-#pragma GCC diagnostic ignored \
-    "-Wpedantic" /* a pointer to data becomes one to a function, as POSIX has it */
-#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
-
 MAKES(CONTEXT,
       cl_context,
       clCreateContext,
