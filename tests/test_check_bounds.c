@@ -1,5 +1,5 @@
-/* Do our kernels stay within what is derived for them, in every width, with room that is neither
- * none nor absurd? */
+/* Do our kernels and their twin in C stay within what is derived for them, with room that is neither none nor
+ * absurd? */
 #include "golden_scenes.h"
 #include "hard_pixels.h"
 #include "rich_lights.h"
@@ -92,9 +92,8 @@ static void golden_frames(void **state)
     }
 }
 
-/* Every material under every projection, by lights that know of neither: of points, of spots, of shapes.
- * Those of shapes and of spots have kernels of their own, which are built for one material and projection
- * each. */
+/* Every material under every projection, by lights that know of neither: of points, of spots, of shapes. By the
+ * twin all of it; by kernels one case of points, of spots and of shapes. */
 static void pixels_at_the_limits(void **state)
 {
     static const struct {

@@ -192,7 +192,8 @@ static void compare(tl_device *device,
 }
 
 /* Under each projection two widths, by turns with the sizes of tiles: a build of all that lights may have takes
- * seconds, and every size of image has all of both. Every width under both: tests/test_layouts_lit.c. */
+ * seconds, and every size of image has all of both. Together with
+ * tests/test_layouts_lit.c, every width under both. */
 static void image_never_changes(void **state)
 {
     static const uint32_t tiles[] = {8, 16, 32, 64}, widths[2][2] = {{1, 16}, {8, 16}};

@@ -1,4 +1,4 @@
-/* Is a frame of every layout lit to the same bits whatever is culled, on both paths and in every width,
+/* Is a frame of every kind of stored position lit to the same bits whatever is culled, on both paths and in every width,
  * wherever its positions are?
  *
  * The reference has neither tiles nor lists: the C twin shines every light on every pixel. Stored positions
